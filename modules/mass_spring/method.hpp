@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "spring_system.hpp"
+
+namespace orbweaver::mass_spring {
+
+/// One method of integration. Holds scratch memory only: everything that a restart needs is x and v.
+class Method {
+public:
+    virtual ~Method() = default;
+    /// Advances x (m) and v (m/s) in place by h seconds.
+    virtual void step(DynamicSystem& system, std::span<Vec3> x, std::span<Vec3> v, double h) noexcept = 0;
+};
+
+/// A row of the table of methods: all that the rest of the house knows of one.
+struct MethodInfo {
+    std::string_view name;     ///< as scenes write it
+    int order = 0;             ///< of global convergence
+    int evaluations = 0;       ///< of the forces, per step
+    std::unique_ptr<Method> (*make)(std::size_t particles);
+};
+
+/// Every method there is, in the order documents list them.
+std::span<const MethodInfo> methods() noexcept;
+/// The method of that name, or null.
+const MethodInfo* find_method(std::string_view name) noexcept;
+
+}  // namespace orbweaver::mass_spring

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "network.hpp"
+#include "orbweaver/contracts/workers.hpp"
+#include "orbweaver/vec3.hpp"
+
+namespace orbweaver::mass_spring {
+
+/// All that a method of integration knows of what it integrates: x'' = a(x, v).
+class DynamicSystem {
+public:
+    virtual std::size_t size() const noexcept = 0;  ///< particles
+    /// Writes the acceleration (m/s^2) of every particle; zero for fixed ones.
+    virtual void accelerations(std::span<const Vec3> x, std::span<const Vec3> v,
+                               std::span<Vec3> a) noexcept = 0;
+
+protected:
+    ~DynamicSystem() = default;
+};
+
+/// What acts on the particles from outside the springs.
+struct Surroundings {
+    Vec3 gravity;                    ///< m/s^2
+    double drag = 0;                 ///< k_d of f = -k_d v, N s/m, the same for every particle
+    std::span<const Vec3> external;  ///< N per particle, constant over a frame; empty: none
+};
+
+/// Mechanical energy in joules. Potential is of gravity, zero at the origin.
+struct Energy {
+    double kinetic = 0;
+    double elastic = 0;
+    double potential = 0;
+    double total() const noexcept { return kinetic + elastic + potential; }
+};
+
+/// Springs, gravity, viscous drag and external forces over a Network:
+/// m a = sum of spring forces + m g - k_d v + f_external.
+/// The sum over a particle's springs runs in order of spring index whatever the number of workers and
+/// the width of vectors, so the bits are the same.
+class SpringSystem final : public DynamicSystem {
+public:
+    /// `network` must outlive the system and be sound (see validate()). Null workers: one thread.
+    SpringSystem(const Network& network, Workers* workers);
+
+    void set_surroundings(const Surroundings& surroundings) noexcept;
+    const Surroundings& surroundings() const noexcept;
+    const Network& network() const noexcept;
+    std::size_t memory_bytes() const noexcept;
+
+    std::size_t size() const noexcept override;
+    void accelerations(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> a) noexcept override;
+
+    /// Net force (N) on every particle, fixed ones too: at rest, minus what its anchor bears.
+    void forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> f) const noexcept;
+    Energy energy(std::span<const Vec3> x, std::span<const Vec3> v) const noexcept;
+
+    /// out = -(df/dx) u at x: the tangent stiffness, geometric part included; zero rows and columns for
+    /// fixed particles.
+    void apply_stiffness(std::span<const Vec3> x, std::span<const Vec3> u, std::span<Vec3> out) const noexcept;
+    /// out = -(df/dv) u at x: spring damping and drag; zero rows and columns for fixed particles.
+    void apply_damping(std::span<const Vec3> x, std::span<const Vec3> u, std::span<Vec3> out) const noexcept;
+};
+
+/// Tension (N, negative in compression) of one spring, its elastic part.
+double tension(const Spring& spring, std::span<const Vec3> x) noexcept;
+
+}  // namespace orbweaver::mass_spring

@@ -1,0 +1,63 @@
+#include "output/trajectory.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace orbweaver {
+
+namespace {
+
+std::string checked_directory(std::string directory) {
+    make_directory(directory, "the trajectory");
+    return directory;
+}
+
+}  // namespace
+
+Trajectory::Trajectory(const Session& session, std::string directory)
+    : session_(session),
+      directory_(checked_directory(std::move(directory))),
+      time_(directory_ + "/time.npy", "<f8", {}) {
+    for (const auto& instance : session.instances())
+        for (const StateBlock::Entry& entry : instance->block().entries()) {
+            if (!entry.info.record) continue;
+            const std::string name = instance->instance_name() + "." + entry.name;
+            const bool vectors = std::holds_alternative<std::vector<Vec3>>(entry.data);
+            const bool words = std::holds_alternative<std::vector<std::uint64_t>>(entry.data);
+            std::vector<std::size_t> shape{entry.count()};
+            if (vectors) shape.push_back(3);
+            tracks_.push_back(
+                {std::make_unique<NpyWriter>(directory_ + "/" + name + ".npy", words ? "<u8" : "<f8", shape),
+                 &entry, name});
+        }
+}
+
+void Trajectory::record() {
+    const double time = session_.time();
+    time_.append(&time, sizeof time);
+    for (const Track& track : tracks_) track.file->append(track.entry->memory(), track.entry->bytes());
+}
+
+void Trajectory::commit() {
+    nlohmann::ordered_json json;
+    json["scene"] = session_.scene().name;
+    json["frame_step_s"] = session_.scene().step;
+    json["quantities"]["time"] = {{"file", "time.npy"},
+                                  {"shape", {time_.rows()}},
+                                  {"unit", "s"},
+                                  {"meaning", "time of each row; the first is before the first frame"}};
+    for (const Track& track : tracks_) {
+        std::vector<std::size_t> shape{track.file->rows(), track.entry->count()};
+        if (std::holds_alternative<std::vector<Vec3>>(track.entry->data)) shape.push_back(3);
+        json["quantities"][track.name] = {{"file", track.name + ".npy"},
+                                          {"shape", shape},
+                                          {"unit", track.entry->info.unit},
+                                          {"meaning", track.entry->info.meaning}};
+    }
+    time_.commit();
+    for (const Track& track : tracks_) track.file->commit();
+    AtomicFile file(directory_ + "/trajectory.json");
+    file.write(json.dump(2) + "\n");
+    file.commit();
+}
+
+}  // namespace orbweaver

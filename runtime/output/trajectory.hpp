@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "output/npy.hpp"
+#include "run/session.hpp"
+
+namespace orbweaver {
+
+/// Writes every recorded state array of a run: one "<instance>.<array>.npy" (frames x count [x 3]), time.npy,
+/// and trajectory.json that says what each means. The first row is the state before the first frame.
+class Trajectory {
+public:
+    Trajectory(const Session& session, std::string directory);
+
+    void record();
+    void commit();
+
+private:
+    struct Track {
+        std::unique_ptr<NpyWriter> file;
+        const StateBlock::Entry* entry = nullptr;
+        std::string name;
+    };
+
+    const Session& session_;
+    std::string directory_;
+    NpyWriter time_;
+    std::vector<Track> tracks_;
+};
+
+}  // namespace orbweaver

@@ -1,0 +1,79 @@
+#include "plan/catalog.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+namespace orbweaver {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path program_directory() {
+    std::error_code error;
+    return fs::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+}  // namespace
+
+std::vector<std::string> module_directories(const std::vector<std::string>& asked) {
+    std::vector<std::string> directories = asked;
+    if (const char* variable = std::getenv("ORBWEAVER_MODULES")) {
+        std::stringstream list{variable};
+        for (std::string each; std::getline(list, each, ':');)
+            if (!each.empty()) directories.push_back(each);
+    }
+    directories.push_back((program_directory() / "../lib/orbweaver/modules").lexically_normal().string());
+    return directories;
+}
+
+std::vector<std::string> asset_directories(const std::string& scene_directory) {
+    std::vector<std::string> directories;
+    const fs::path candidates[] = {fs::path(scene_directory), fs::path(scene_directory) / "..",
+                                   program_directory() / "../share/orbweaver/assets",
+                                   fs::path(ORBWEAVER_SOURCE_ASSETS)};
+    std::error_code error;
+    for (const fs::path& each : candidates)
+        if (fs::is_directory(each, error)) directories.push_back(each.lexically_normal().string());
+    return directories;
+}
+
+Catalog read_catalog(const std::vector<std::string>& directories) {
+    Catalog catalog;
+    catalog.directories = directories;
+    for (const std::string& directory : directories) {
+        std::error_code error;
+        std::vector<std::string> paths;
+        for (const auto& entry : fs::directory_iterator(directory, error))
+            if (entry.path().extension() == ".toml") paths.push_back(entry.path().string());
+        std::sort(paths.begin(), paths.end());
+        for (const std::string& path : paths) {
+            auto manifest = read_manifest(path, catalog.faults);
+            if (!manifest) continue;
+            if (const Manifest* first = find(catalog, manifest->id)) {
+                catalog.faults.push_back(
+                    {{path, 0, 0},
+                     fmt::format("module '{}' is already there, from {}", manifest->id, first->path),
+                     "one manifest for each id",
+                     "remove one of the two, or search fewer folders"});
+                continue;
+            }
+            catalog.manifests.push_back(std::move(*manifest));
+        }
+    }
+    std::sort(catalog.manifests.begin(), catalog.manifests.end(),
+              [](const Manifest& a, const Manifest& b) { return a.id < b.id; });
+    return catalog;
+}
+
+const Manifest* find(const Catalog& catalog, std::string_view id) noexcept {
+    for (const Manifest& manifest : catalog.manifests)
+        if (manifest.id == id) return &manifest;
+    return nullptr;
+}
+
+}  // namespace orbweaver

@@ -1,0 +1,209 @@
+#include "plan/manifest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "orbweaver/fault.hpp"
+#include "scene/nearest_name.hpp"
+#include "scene/toml_reader.hpp"
+#include "scene/units.hpp"
+
+namespace orbweaver {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> kPhaseNames = {"sense",     "act",    "integrate",
+                                                         "constrain", "derive", "present"};
+constexpr std::array<std::string_view, 10> kTypeNames = {"boolean", "integer", "number",  "text", "choice",
+                                                         "vector",  "vectors", "numbers", "file", "preset"};
+constexpr std::array<std::string_view, 6> kWhenNames = {"",       "pictures",  "offscreen",
+                                                        "window", "recording", "threads"};
+
+/// Takes the members of one table by name and type, and reports what is wrong or left over.
+class TableReader {
+public:
+    TableReader(const Node& node, Diagnostics& faults) : node_(node), faults_(faults) {}
+
+    const Node* take(const std::string& key) {
+        known_.push_back(key);
+        return find(*node_.table(), key);
+    }
+    template <class T>
+    void take(const std::string& key, T& into, const char* expected) {
+        const Node* node = take(key);
+        if (node == nullptr) return;
+        if (const T* value = std::get_if<T>(&node->value))
+            into = *value;
+        else
+            wrong(*node, key, expected);
+    }
+    void take(const std::string& key, std::vector<std::string>& into) {
+        const Node* node = take(key);
+        if (node == nullptr) return;
+        const Array* array = node->array();
+        if (array == nullptr) return wrong(*node, key, "an array of texts");
+        for (const Node& element : *array) {
+            if (const auto* text = std::get_if<std::string>(&element.value))
+                into.push_back(*text);
+            else
+                wrong(element, key, "a text");
+        }
+    }
+    bool take_number(const std::string& key, double& into) {
+        const Node* node = take(key);
+        if (node == nullptr) return false;
+        if (const auto* number = std::get_if<double>(&node->value))
+            into = *number;
+        else if (const auto* integer = std::get_if<std::int64_t>(&node->value))
+            into = static_cast<double>(*integer);
+        else
+            wrong(*node, key, "a number");
+        return true;
+    }
+    void wrong(const Node& node, const std::string& key, const std::string& expected) {
+        faults_.push_back({node.where, fmt::format("'{}' is {}", key, show(node)), expected, ""});
+    }
+    void missing(const std::string& key) {
+        faults_.push_back({node_.where, fmt::format("'{}' is missing", key), "a text", ""});
+    }
+    void finish() {
+        for (const Member& member : *node_.table())
+            if (std::find(known_.begin(), known_.end(), member.key) == known_.end())
+                faults_.push_back({member.where, fmt::format("a manifest has no key '{}'", member.key),
+                                   join_names(known_), ""});
+    }
+
+private:
+    const Node& node_;
+    Diagnostics& faults_;
+    std::vector<std::string> known_;
+};
+
+template <std::size_t N>
+std::optional<std::size_t> index_of(const std::array<std::string_view, N>& names, std::string_view name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+OptionSpec read_option(const std::string& key, const Node& node, Diagnostics& faults) {
+    OptionSpec spec;
+    spec.key = key;
+    if (node.table() == nullptr) {
+        faults.push_back({node.where, fmt::format("option '{}' is {}", key, show(node)), "a table", ""});
+        return spec;
+    }
+    TableReader reader(node, faults);
+    std::string type;
+    reader.take("type", type, "a text");
+    if (const auto index = index_of(kTypeNames, type))
+        spec.type = static_cast<OptionType>(*index);
+    else
+        faults.push_back({node.where, fmt::format("option '{}' has no type '{}'", key, type),
+                          fmt::format("one of {}", fmt::join(kTypeNames, ", ")), ""});
+    reader.take("unit", spec.unit, "a text");
+    if (!parse_unit(spec.unit))
+        faults.push_back(
+            {node.where, fmt::format("option '{}' has the unknown unit '{}'", key, spec.unit), "", ""});
+    if (const Node* value = reader.take("default")) spec.default_value = *value;
+    reader.take("required", spec.required, "a boolean");
+    reader.take_number("min", spec.min);
+    reader.take_number("max", spec.max);
+    spec.above_min = reader.take_number("above", spec.min);
+    spec.below_max = reader.take_number("below", spec.max);
+    std::int64_t length = 0;
+    reader.take("length", length, "an integer");
+    spec.length = static_cast<std::size_t>(length);
+    reader.take("choices", spec.choices);
+    reader.take("folder", spec.folder, "a text");
+    reader.take("meaning", spec.meaning, "a text");
+    if (spec.meaning.empty()) reader.missing("meaning");
+    reader.finish();
+    return spec;
+}
+
+void read_phases(TableReader& reader, const Node& root, Manifest& manifest, Diagnostics& faults) {
+    std::vector<std::string> names;
+    reader.take("phases", names);
+    for (const std::string& name : names) {
+        if (const auto index = index_of(kPhaseNames, name))
+            manifest.phases.push_back(static_cast<Phase>(*index));
+        else
+            faults.push_back({root.where, fmt::format("there is no phase '{}'", name),
+                              fmt::format("{}", fmt::join(kPhaseNames, ", ")), ""});
+    }
+}
+
+}  // namespace
+
+std::string_view to_string(Phase phase) noexcept { return kPhaseNames[static_cast<std::size_t>(phase)]; }
+std::string_view to_string(OptionType type) noexcept { return kTypeNames[static_cast<std::size_t>(type)]; }
+
+std::string range_text(const OptionSpec& spec) {
+    const bool low = std::isfinite(spec.min);
+    const bool high = std::isfinite(spec.max);
+    std::string text;
+    if (low) text += fmt::format("{} {}", spec.above_min ? "above" : "at least", spec.min);
+    if (low && high) text += " and ";
+    if (high) text += fmt::format("{} {}", spec.below_max ? "below" : "at most", spec.max);
+    return text;
+}
+
+std::optional<Manifest> parse_manifest(const std::string& text, const std::string& name, Diagnostics& faults) {
+    const std::size_t before = faults.size();
+    Manifest manifest;
+    manifest.path = name;
+    manifest.text = text;
+    Node root;
+    try {
+        root = read_toml_text(text, name);
+    } catch (const Fault& fault) {
+        faults.push_back({{}, fault.what(), "", ""});
+        return std::nullopt;
+    }
+    TableReader reader(root, faults);
+    reader.take("id", manifest.id, "a text");
+    reader.take("version", manifest.version, "a text");
+    reader.take("summary", manifest.summary, "a text");
+    reader.take("table", manifest.table, "a text");
+    reader.take("several", manifest.several, "a boolean");
+    reader.take("when", manifest.when, "a text");
+    reader.take("provides", manifest.provides);
+    reader.take("needs", manifest.needs);
+    reader.take("uses", manifest.uses);
+    reader.take("collects", manifest.collects);
+    reader.take("libraries", manifest.libraries);
+    read_phases(reader, root, manifest, faults);
+    if (manifest.id.empty()) reader.missing("id");
+    if (manifest.version.empty()) reader.missing("version");
+    if (!index_of(kWhenNames, manifest.when))
+        faults.push_back({root.where, fmt::format("'when' is \"{}\"", manifest.when),
+                          fmt::format("one of {}", fmt::join(kWhenNames.begin() + 1, kWhenNames.end(), ", ")),
+                          ""});
+    if (const Node* options = reader.take("options"); options != nullptr && options->table() != nullptr)
+        for (const Member& member : *options->table())
+            manifest.options.push_back(read_option(member.key, member.node, faults));
+    reader.finish();
+    if (faults.size() > before) return std::nullopt;
+    return manifest;
+}
+
+std::optional<Manifest> read_manifest(const std::string& path, Diagnostics& faults) {
+    std::ifstream file(path, std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    if (!file) {
+        faults.push_back({{path, 0, 0}, "this manifest cannot be read", "a TOML file", ""});
+        return std::nullopt;
+    }
+    auto manifest = parse_manifest(text.str(), path, faults);
+    if (manifest) manifest->library = std::filesystem::path(path).replace_extension(".so").string();
+    return manifest;
+}
+
+}  // namespace orbweaver

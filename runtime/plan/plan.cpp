@@ -1,0 +1,240 @@
+#include "plan/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+
+#include "plan/scene_table.hpp"
+#include "scene/nearest_name.hpp"
+
+namespace orbweaver {
+
+namespace {
+
+bool contains(const std::vector<std::string>& list, const std::string& name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+bool request_matches(const std::string& when, const Request& request) {
+    const bool recording = !request.frames_directory.empty() || !request.video_file.empty();
+    if (when == "window") return request.window;
+    if (when == "offscreen") return (recording || request.pictures) && !request.window;
+    if (when == "recording") return recording;
+    if (when == "pictures") return recording || request.window || request.pictures;
+    if (when == "threads") return request.threads > 1;
+    return true;
+}
+
+const char* request_missing(const std::string& when) {
+    if (when == "window") return "nobody asked for a window (--window)";
+    if (when == "offscreen") return "no picture is drawn off-screen";
+    if (when == "recording") return "nobody asked for frames or a video (--frames, --video)";
+    if (when == "pictures") return "nobody asked for pictures (--frames, --video or --window)";
+    return "one thread was asked for (--threads)";
+}
+
+class Planner {
+public:
+    Planner(const Node& scene, const std::string& path, const Catalog& catalog, const Request& request)
+        : scene_(scene), path_(path), catalog_(catalog), request_(request) {}
+
+    Plan make() {
+        plan_.faults = catalog_.faults;
+        plan_.scene = read_scene_table(scene_, path_, plan_.faults);
+        paths_ = {plan_.scene.directory, asset_directories(plan_.scene.directory)};
+        for (const Member& member : *scene_.table())
+            if (member.key != "scene") read_table(member);
+        add_requested();
+        add_providers();
+        check_contracts();
+        sort_modules();
+        list_left_out();
+        return std::move(plan_);
+    }
+
+private:
+    void read_table(const Member& member) {
+        const auto found = std::find_if(catalog_.manifests.begin(), catalog_.manifests.end(),
+                                        [&](const Manifest& m) { return m.table == member.key; });
+        if (found == catalog_.manifests.end()) return report_unknown_table(member);
+        if (const Array* array = member.node.array()) {
+            if (!found->several && array->size() > 1)
+                plan_.faults.push_back({member.where,
+                                        fmt::format("there are {} [[{}]]", array->size(), member.key),
+                                        fmt::format("one [{}]", member.key), ""});
+            for (std::size_t i = 0; i < array->size(); ++i) add_asked(*found, (*array)[i], i);
+        } else {
+            add_asked(*found, member.node, 0);
+        }
+    }
+
+    void report_unknown_table(const Member& member) {
+        std::vector<std::string> names{"scene"};
+        for (const Manifest& manifest : catalog_.manifests)
+            if (!manifest.table.empty()) names.push_back(manifest.table);
+        const std::string nearest = nearest_name(member.key, names);
+        std::string remedy = nearest.empty() ? "" : fmt::format("did you mean [{}]? ", nearest);
+        remedy += fmt::format("modules were searched in {}", join_names(catalog_.directories, ", "));
+        plan_.faults.push_back({member.where, fmt::format("no module answers to [{}]", member.key),
+                                "one of " + join_names(names), remedy});
+    }
+
+    void add_asked(const Manifest& manifest, const Node& table, std::size_t index) {
+        Options options = check_options(table, manifest.options, paths_, plan_.faults);
+        if (!request_matches(manifest.when, request_)) {
+            unasked_.push_back(&manifest);
+            return;
+        }
+        const std::string instance =
+            index == 0 ? manifest.table : fmt::format("{}.{}", manifest.table, index + 1);
+        const std::string which = index == 0 ? "" : fmt::format(", number {}", index + 1);
+        plan_.modules.push_back({&manifest, instance,
+                                 fmt::format("the scene has [{}]{}", manifest.table, which),
+                                 std::move(options)});
+    }
+
+    void add_module(const Manifest& manifest, std::string reason) {
+        const Node empty{Table{}, {path_, 0, 0}};
+        plan_.modules.push_back({&manifest, manifest.id, std::move(reason),
+                                 check_options(empty, manifest.options, paths_, plan_.faults)});
+    }
+
+    // Modules that no contract calls for: they wait for a request alone.
+    void add_requested() {
+        for (const Manifest& manifest : catalog_.manifests)
+            if (manifest.table.empty() && manifest.provides.empty() && !manifest.when.empty() &&
+                request_matches(manifest.when, request_))
+                add_module(manifest, manifest.when == "recording"
+                                         ? "frames or a video were asked for"
+                                         : fmt::format("'{}' was asked for", manifest.when));
+    }
+
+    bool planned(const std::string& contract) const {
+        return std::any_of(plan_.modules.begin(), plan_.modules.end(),
+                           [&](const PlannedModule& m) { return contains(m.manifest->provides, contract); });
+    }
+
+    // Modules without a table are drawn in by those that need what they provide; the list grows as it is read.
+    void add_providers() {
+        for (std::size_t i = 0; i < plan_.modules.size(); ++i) {
+            const Manifest& consumer = *plan_.modules[i].manifest;
+            for (const auto* wanted : {&consumer.needs, &consumer.uses})
+                for (const std::string& contract : *wanted) {
+                    if (planned(contract)) continue;
+                    for (const Manifest& manifest : catalog_.manifests)
+                        if (manifest.table.empty() && contains(manifest.provides, contract) &&
+                            request_matches(manifest.when, request_))
+                            add_module(manifest,
+                                       fmt::format("{} {} {}", consumer.id,
+                                                   wanted == &consumer.needs ? "needs" : "uses", contract));
+                }
+        }
+    }
+
+    void check_contracts() {
+        for (const PlannedModule& consumer : plan_.modules) {
+            for (const std::string& contract : consumer.manifest->needs)
+                check_providers(consumer, contract, true);
+            for (const std::string& contract : consumer.manifest->uses)
+                check_providers(consumer, contract, false);
+        }
+    }
+
+    void check_providers(const PlannedModule& consumer, const std::string& contract, bool needed) {
+        std::vector<std::string> names;
+        for (const PlannedModule& module : plan_.modules)
+            if (contains(module.manifest->provides, contract)) names.push_back(module.instance);
+        if (names.size() > 1)
+            plan_.faults.push_back({{path_, 0, 0},
+                                    fmt::format("'{}' takes {} from one module, and {} provide it",
+                                                consumer.instance, contract, join_names(names, " and ")),
+                                    "one provider",
+                                    "leave one of them out"});
+        if (!names.empty() || !needed) return;
+        std::string remedy;
+        for (const Manifest& manifest : catalog_.manifests)
+            if (contains(manifest.provides, contract))
+                remedy += fmt::format("{}'{}' provides it{}", remedy.empty() ? "" : "; ", manifest.id,
+                                      manifest.table.empty()
+                                          ? fmt::format(", but {}", request_missing(manifest.when))
+                                          : fmt::format(": add [{}] to the scene", manifest.table));
+        if (remedy.empty())
+            remedy = fmt::format("no module in {} provides it", join_names(catalog_.directories, ", "));
+        plan_.faults.push_back(
+            {{path_, 0, 0},
+             fmt::format("'{}' needs {}, which nothing in this plan provides", consumer.instance, contract),
+             "",
+             remedy});
+    }
+
+    static bool wants(const Manifest& consumer, const Manifest& provider) {
+        for (const auto* wanted : {&consumer.needs, &consumer.uses, &consumer.collects})
+            for (const std::string& contract : *wanted)
+                if (contains(provider.provides, contract)) return true;
+        return false;
+    }
+
+    // Repeatedly takes the first module by name whose providers are all placed.
+    void sort_modules() {
+        auto& modules = plan_.modules;
+        std::stable_sort(modules.begin(), modules.end(),
+                         [](const auto& a, const auto& b) { return a.instance < b.instance; });
+        std::vector<PlannedModule> sorted;
+        while (!modules.empty()) {
+            const auto ready = std::find_if(modules.begin(), modules.end(), [&](const PlannedModule& consumer) {
+                return std::none_of(modules.begin(), modules.end(), [&](const PlannedModule& provider) {
+                    return &provider != &consumer && wants(*consumer.manifest, *provider.manifest);
+                });
+            });
+            if (ready == modules.end()) return report_cycle(std::move(sorted));
+            sorted.push_back(std::move(*ready));
+            modules.erase(ready);
+        }
+        modules = std::move(sorted);
+    }
+
+    void report_cycle(std::vector<PlannedModule> sorted) {
+        std::vector<std::string> names;
+        for (PlannedModule& module : plan_.modules) {
+            names.push_back(module.instance);
+            sorted.push_back(std::move(module));
+        }
+        plan_.modules = std::move(sorted);
+        plan_.faults.push_back({{path_, 0, 0},
+                                fmt::format("{} need each other in a circle", join_names(names, " and ")),
+                                "providers that come before their consumers",
+                                "leave one of them out"});
+    }
+
+    void list_left_out() {
+        for (const Manifest& manifest : catalog_.manifests) {
+            const bool loaded = std::any_of(plan_.modules.begin(), plan_.modules.end(),
+                                            [&](const PlannedModule& m) { return m.manifest == &manifest; });
+            if (!loaded) plan_.left_out.push_back({&manifest, left_out_reason(manifest)});
+        }
+    }
+
+    std::string left_out_reason(const Manifest& manifest) const {
+        const bool asked = std::find(unasked_.begin(), unasked_.end(), &manifest) != unasked_.end();
+        if (!manifest.table.empty() && !asked) return fmt::format("the scene has no [{}]", manifest.table);
+        if (!request_matches(manifest.when, request_)) return request_missing(manifest.when);
+        return "nothing in this plan needs it";
+    }
+
+    const Node& scene_;
+    const std::string& path_;
+    const Catalog& catalog_;
+    const Request& request_;
+    AssetPaths paths_;
+    Plan plan_;
+    std::vector<const Manifest*> unasked_;
+};
+
+}  // namespace
+
+Plan make_plan(const Node& scene, const std::string& path, const Catalog& catalog, const Request& request) {
+    return Planner(scene, path, catalog, request).make();
+}
+
+}  // namespace orbweaver

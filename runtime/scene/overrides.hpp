@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "scene/node.hpp"
+
+namespace orbweaver {
+
+/// Puts "path.to.key=value" into a scene: the value is TOML, or a bare word taken as text
+/// ("web.method=rk4"). Where a path meets an array of tables, a number picks one ("web.1.drag=0") and
+/// otherwise all are meant. Tables on the way are made. Throws Fault(invalid).
+void apply_override(Node& scene, const std::string& assignment);
+
+/// Puts a value at a dotted path, as apply_override does; `where` is what diagnostics will call it.
+void set_value(Node& scene, const std::string& path, Node value);
+
+}  // namespace orbweaver
