@@ -14,13 +14,14 @@ public:
     virtual ~Method() = default;
     /// Advances x (m) and v (m/s) in place by h seconds.
     virtual void step(DynamicSystem& system, std::span<Vec3> x, std::span<Vec3> v, double h) noexcept = 0;
+    virtual std::size_t memory_bytes() const noexcept = 0;  ///< of the scratch
 };
 
 /// A row of the table of methods: all that the rest of the house knows of one.
 struct MethodInfo {
-    std::string_view name;     ///< as scenes write it
-    int order = 0;             ///< of global convergence
-    int evaluations = 0;       ///< of the forces, per step
+    std::string_view name;  ///< as scenes write it
+    int order = 0;          ///< of global convergence
+    int evaluations = 0;    ///< of the forces, per step
     std::unique_ptr<Method> (*make)(std::size_t particles);
 };
 

@@ -8,7 +8,7 @@
 namespace orbweaver::mass_spring {
 
 struct Relaxation {
-    double residual = 0;         ///< N, largest net force on a free particle
+    double residual = 0;  ///< N, largest net force on a free particle
     std::size_t iterations = 0;
     bool converged = false;
 };

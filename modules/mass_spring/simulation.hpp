@@ -2,54 +2,77 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "adviser.hpp"
+#include "error_meter.hpp"
 #include "method.hpp"
+#include "simulation_settings.hpp"
 #include "spring_system.hpp"
+#include "watch.hpp"
 
 namespace orbweaver::mass_spring {
 
-/// What to do when the asked step is longer than the adviser's.
-enum class OnUnstable : std::uint8_t { substep, stop, as_asked };
-
-struct SimulationSettings {
-    const MethodInfo* method = nullptr;
-    double step = 0;  ///< s, asked substep; 0: the adviser's
-    OnUnstable on_unstable = OnUnstable::substep;
-    std::int64_t max_substeps = 100000;  ///< of one frame; more is refused in words
-    std::string owner;                                       ///< for sentences: "web"
-    std::function<std::string(std::size_t)> describe_spring; ///< "spring 12 (radius, 3 to 7)"
-    std::function<void(const std::string&)> warn;            ///< receives full sentences
-};
+/// Doubles that a simulation remembers between frames, besides x and v.
+inline constexpr std::size_t kSimulationMemory = 1;
+/// How often the stable step is looked up again while a system moves.
+inline constexpr std::uint64_t kFramesPerAdvice = 64;
 
 /// Advances one mass-spring system frame by frame: substeps as the method and the adviser ask, keeps the
 /// last good state, watches for values that mean nothing, and estimates its own error by redoing sampled
 /// frames at half the step. Shared by every module whose bodies are mass-spring systems.
 class Simulation {
 public:
+    /// `memory` is kSimulationMemory doubles of the owner's state: the substep in use (s), which is chosen
+    /// anew at every frame whose index is a multiple of kFramesPerAdvice. When it is saved and restored with
+    /// x and v, a restored run takes the substeps of the run that never stopped. Empty: kept here, and lost.
+    /// A step longer than a frame counts as one frame. Velocities of fixed particles are set to zero.
     /// Throws Fault(diverged) when on_unstable is `stop` and the asked step exceeds the advice, when no step
     /// is stable, or when a frame would need more than max_substeps.
-    Simulation(SpringSystem& system, SimulationSettings settings, double frame_step,
-               std::span<Vec3> x, std::span<Vec3> v);
+    Simulation(SpringSystem& system, SimulationSettings settings, double frame_step, std::span<Vec3> x,
+               std::span<Vec3> v, std::span<double> memory = {});
 
     /// From `time` to `time` + frame_step. On the first value that is not finite, or position that left for
     /// 1e6 times the system's extent, restores the frame's start in x and v and throws Fault(diverged)
-    /// naming owner, element, term, time and step.
+    /// naming owner, element, term, time and step. Throws like the constructor, with x and v untouched, when
+    /// the configuration has come to need shorter steps than the settings allow.
     void advance(std::uint64_t frame, double time);
 
     const Advice& advice() const noexcept;
-    std::uint64_t steps() const noexcept;        ///< of the method, error estimation not counted
-    double substep() const noexcept;             ///< s, in use now
+    std::uint64_t steps() const noexcept;  ///< of the method, error estimation not counted
+    double substep() const noexcept;       ///< s, in use now
     /// Largest position error expected at the run's end, m: order-aware step doubling on sampled frames,
     /// mean per frame times frames run. Not a bound where the system itself is chaotic.
     double error_estimate() const noexcept;
-    std::string error_method() const;            ///< how, over how many frames
+    std::string error_method() const;  ///< how, over how many frames
     std::size_t memory_bytes() const noexcept;
+
+private:
+    void choose_substep();
+    void set_substep(double seconds) noexcept;
+    std::int64_t substeps_per_frame() const noexcept;
+    /// `count` steps over one frame from x_, v_; false as soon as a value is found to mean nothing.
+    bool integrate(std::span<Vec3> x, std::span<Vec3> v, std::int64_t count) noexcept;
+    void measure_error(std::int64_t count);
+    [[noreturn]] void fail(std::uint64_t frame, double time);
+
+    SpringSystem* system_;
+    SimulationSettings settings_;
+    double frame_step_;
+    std::span<Vec3> x_, v_;
+    std::span<double> memory_;
+    double substep_ = 0;  ///< in use when there is no memory_
+    std::unique_ptr<Method> method_;
+    Watch watch_;
+    ErrorMeter error_;
+    Advice advice_;
+    bool warned_ = false;
+    std::uint64_t steps_ = 0;
+    std::vector<Vec3> start_x_, start_v_;  ///< the last good state
+    std::vector<Vec3> trial_x_, trial_v_;  ///< of a frame redone
 };
 
 }  // namespace orbweaver::mass_spring

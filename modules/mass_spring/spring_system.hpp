@@ -7,6 +7,7 @@
 #include "network.hpp"
 #include "orbweaver/contracts/workers.hpp"
 #include "orbweaver/vec3.hpp"
+#include "spring_kernel.hpp"
 
 namespace orbweaver::mass_spring {
 
@@ -63,6 +64,17 @@ public:
     void apply_stiffness(std::span<const Vec3> x, std::span<const Vec3> u, std::span<Vec3> out) const noexcept;
     /// out = -(df/dv) u at x: spring damping and drag; zero rows and columns for fixed particles.
     void apply_damping(std::span<const Vec3> x, std::span<const Vec3> u, std::span<Vec3> out) const noexcept;
+
+    /// Other kernels than the best, to compare them; the bits are the same.
+    void use_kernels(const SpringKernels& kernels) noexcept { kernels_ = &kernels; }
+
+private:
+    const Network* network_;
+    Workers* workers_;  ///< null when there are too few springs to share
+    Surroundings surroundings_;
+    SpringTable table_;
+    const SpringKernels* kernels_;
+    std::vector<PaddedVec3> pull_;  ///< N, two slots a spring, scratch
 };
 
 /// Tension (N, negative in compression) of one spring, its elastic part.

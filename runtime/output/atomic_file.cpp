@@ -30,26 +30,26 @@ AtomicFile::~AtomicFile() {
     std::remove(partial_.c_str());
 }
 
-void AtomicFile::fail(const char* doing) const {
-    const int error = errno;
-    const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
+void AtomicFile::fail(const char* doing) {
+    if (error_ == 0) error_ = errno != 0 ? errno : EIO;
+    const bool full = error_ == ENOSPC || error_ == EDQUOT || error_ == EFBIG;
     throw Fault(full ? FaultKind::limit : FaultKind::internal,
-                fmt::format("{}: cannot {}: {}; {}", path_, doing, std::strerror(error),
+                fmt::format("{}: cannot {}: {}; {}", path_, doing, std::strerror(error_),
                             full ? "make room and run again, nothing half-written was left"
                                  : "check that the folder exists and may be written"));
 }
 
 void AtomicFile::write(const void* data, std::size_t size) {
-    if (std::fwrite(data, 1, size, file_) != size) fail("be written");
+    if (error_ != 0 || (size > 0 && std::fwrite(data, 1, size, file_) != size)) fail("be written");
 }
 
 void AtomicFile::rewrite_front(std::string_view text) {
-    if (std::fseek(file_, 0, SEEK_SET) != 0) fail("be written");
+    if (error_ != 0 || std::fseek(file_, 0, SEEK_SET) != 0) fail("be written");
     write(text);
 }
 
 void AtomicFile::commit() {
-    if (std::fflush(file_) != 0) fail("be written");
+    if (error_ != 0 || std::fflush(file_) != 0) fail("be written");
     std::FILE* file = file_;
     file_ = nullptr;
     if (std::fclose(file) != 0 || std::rename(partial_.c_str(), target_.c_str()) != 0) {

@@ -24,12 +24,13 @@ public:
     void commit();
 
 private:
-    [[noreturn]] void fail(const char* doing) const;
+    [[noreturn]] void fail(const char* doing);
 
     std::string path_;    ///< as asked, for sentences
     std::string target_;  ///< what it names
     std::string partial_;
     std::FILE* file_ = nullptr;
+    int error_ = 0;  ///< of the first failure: what failed once is never completed
 };
 
 /// Makes a folder and its parents. Throws Fault(internal) with a sentence.

@@ -32,12 +32,15 @@ Trajectory::Trajectory(const Session& session, std::string directory)
 }
 
 void Trajectory::record() {
+    whole_ = false;
     const double time = session_.time();
     time_.append(&time, sizeof time);
     for (const Track& track : tracks_) track.file->append(track.entry->memory(), track.entry->bytes());
+    whole_ = true;
 }
 
 void Trajectory::commit() {
+    if (!whole_) return;
     nlohmann::ordered_json json;
     json["scene"] = session_.scene().name;
     json["frame_step_s"] = session_.scene().step;

@@ -16,6 +16,7 @@ public:
     Trajectory(const Session& session, std::string directory);
 
     void record();
+    /// Leaves no file when a record() failed: some quantities would end before the others.
     void commit();
 
 private:
@@ -29,6 +30,7 @@ private:
     std::string directory_;
     NpyWriter time_;
     std::vector<Track> tracks_;
+    bool whole_ = true;
 };
 
 }  // namespace orbweaver

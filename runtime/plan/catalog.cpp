@@ -45,8 +45,12 @@ std::vector<std::string> asset_directories(const std::string& scene_directory) {
 Catalog read_catalog(const std::vector<std::string>& directories) {
     Catalog catalog;
     catalog.directories = directories;
+    std::vector<fs::path> searched;
     for (const std::string& directory : directories) {
         std::error_code error;
+        const fs::path place = fs::weakly_canonical(directory, error);
+        if (std::find(searched.begin(), searched.end(), place) != searched.end()) continue;
+        searched.push_back(place);
         std::vector<std::string> paths;
         for (const auto& entry : fs::directory_iterator(directory, error))
             if (entry.path().extension() == ".toml") paths.push_back(entry.path().string());

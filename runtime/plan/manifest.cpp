@@ -118,6 +118,9 @@ OptionSpec read_option(const std::string& key, const Node& node, Diagnostics& fa
     spec.below_max = reader.take_number("below", spec.max);
     std::int64_t length = 0;
     reader.take("length", length, "an integer");
+    if (length < 0)
+        faults.push_back(
+            {node.where, fmt::format("option '{}' has a length of {}", key, length), "a count", ""});
     spec.length = static_cast<std::size_t>(length);
     reader.take("choices", spec.choices);
     reader.take("folder", spec.folder, "a text");
@@ -137,6 +140,14 @@ void read_phases(TableReader& reader, const Node& root, Manifest& manifest, Diag
             faults.push_back({root.where, fmt::format("there is no phase '{}'", name),
                               fmt::format("{}", fmt::join(kPhaseNames, ", ")), ""});
     }
+}
+
+void read_options(TableReader& reader, Manifest& manifest, Diagnostics& faults) {
+    const Node* options = reader.take("options");
+    if (options == nullptr) return;
+    if (options->table() == nullptr) return reader.wrong(*options, "options", "a table");
+    for (const Member& member : *options->table())
+        manifest.options.push_back(read_option(member.key, member.node, faults));
 }
 
 }  // namespace
@@ -185,9 +196,7 @@ std::optional<Manifest> parse_manifest(const std::string& text, const std::strin
         faults.push_back({root.where, fmt::format("'when' is \"{}\"", manifest.when),
                           fmt::format("one of {}", fmt::join(kWhenNames.begin() + 1, kWhenNames.end(), ", ")),
                           ""});
-    if (const Node* options = reader.take("options"); options != nullptr && options->table() != nullptr)
-        for (const Member& member : *options->table())
-            manifest.options.push_back(read_option(member.key, member.node, faults));
+    read_options(reader, manifest, faults);
     reader.finish();
     if (faults.size() > before) return std::nullopt;
     return manifest;
@@ -197,7 +206,7 @@ std::optional<Manifest> read_manifest(const std::string& path, Diagnostics& faul
     std::ifstream file(path, std::ios::binary);
     std::stringstream text;
     text << file.rdbuf();
-    if (!file) {
+    if (!file || !std::filesystem::is_regular_file(path)) {
         faults.push_back({{path, 0, 0}, "this manifest cannot be read", "a TOML file", ""});
         return std::nullopt;
     }

@@ -194,10 +194,13 @@ public:
             if (const OptionSpec* spec = find_spec(key)) {
                 if (auto value = ValueReader(*spec, paths_, faults_).read(member.node))
                     into.set(key, std::move(*value), member.node.where);
-            } else if (member.node.table() != nullptr && is_group(key)) {
+            } else if (!is_group(key)) {
+                report_unknown(member, key, prefix);
+            } else if (member.node.table() != nullptr) {
                 read(member.node, key + ".", into);
             } else {
-                report_unknown(member, key, prefix);
+                faults_.push_back(
+                    {member.node.where, fmt::format("'{}' is {}", key, show(member.node)), "a table", ""});
             }
         }
     }

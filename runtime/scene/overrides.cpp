@@ -20,7 +20,7 @@ void put(Node& into, std::string_view path, const Node& value) {
     const auto dot = path.find('.');
     const std::string key(path.substr(0, dot));
     const std::string_view rest = dot == std::string_view::npos ? std::string_view{} : path.substr(dot + 1);
-    if (key.empty())
+    if (key.empty() || path.ends_with('.'))
         throw Fault(FaultKind::invalid, fmt::format("{}: the path has an empty key", value.where.file));
 
     if (Array* array = into.array()) {

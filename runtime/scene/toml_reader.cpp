@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 #include <vector>
 
 #include "orbweaver/fault.hpp"
@@ -77,6 +78,10 @@ Node convert(const toml::node& from, const std::string& name) {
         Table members;
         for (const auto& [key, value] : *table)
             members.push_back({std::string(key.str()), location(key.source(), name), convert(value, name)});
+        // The parser keeps keys by name; a reader of faults wants them as written.
+        std::stable_sort(members.begin(), members.end(), [](const Member& a, const Member& b) {
+            return std::pair(a.where.line, a.where.column) < std::pair(b.where.line, b.where.column);
+        });
         node.value = std::move(members);
     } else if (const auto* array = from.as_array()) {
         Array elements;

@@ -68,7 +68,7 @@ std::optional<Unit> parse_factor(std::string_view text) {
         if (error != std::errc{} || std::abs(power) > 9) return std::nullopt;
     }
     std::string_view name = text.substr(0, end);
-    if (name.ends_with('^')) name.remove_suffix(1);
+    if (name.ends_with('^') && end < text.size()) name.remove_suffix(1);
     const auto base = find_symbol(name);
     if (!base) return std::nullopt;
     Unit unit;

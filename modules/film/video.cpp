@@ -1,0 +1,38 @@
+#include "video.hpp"
+
+#include <unistd.h>
+
+#include <sstream>
+
+#include "ffmpeg_video.hpp"
+#include "webp_animation.hpp"
+
+namespace orbweaver::film {
+namespace {
+
+std::filesystem::path find_program(const std::string& name, const std::string& search_path) {
+    std::istringstream directories(search_path);
+    for (std::string directory; std::getline(directories, directory, ':');) {
+        auto candidate = std::filesystem::path(directory) / name;
+        std::error_code ignored;
+        const bool file = !directory.empty() && std::filesystem::is_regular_file(candidate, ignored);
+        if (file && ::access(candidate.c_str(), X_OK) == 0) return candidate;
+    }
+    return {};
+}
+
+}  // namespace
+
+VideoPlan plan_video(const std::filesystem::path& asked, const std::string& search_path) {
+    if (asked.extension() == ".webp") return {asked, {}};
+    const auto ffmpeg = find_program("ffmpeg", search_path);
+    if (!ffmpeg.empty()) return {asked, ffmpeg};
+    return {std::filesystem::path(asked).replace_extension(".webp"), {}};
+}
+
+std::unique_ptr<Video> open_video(const VideoPlan& plan, const VideoFormat& format) {
+    if (plan.ffmpeg.empty()) return std::make_unique<WebpAnimation>(plan.file, format);
+    return std::make_unique<FfmpegVideo>(plan.ffmpeg, plan.file, format);
+}
+
+}  // namespace orbweaver::film

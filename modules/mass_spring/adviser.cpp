@@ -1,0 +1,216 @@
+#include "adviser.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "lanczos.hpp"
+#include "orbweaver/random.hpp"
+#include "quantity.hpp"
+
+namespace orbweaver::mass_spring {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// q'' + mu q' + omega^2 q = 0 in two independent components, so that one step from q = (1, 0),
+/// q' = (0, 1) gives both columns of the one-step matrix.
+class Oscillator final : public DynamicSystem {
+public:
+    Oscillator(double omega, double mu) noexcept : squared_(omega * omega), mu_(mu) {}
+    std::size_t size() const noexcept override { return 1; }
+    void accelerations(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> a) noexcept override {
+        a[0] = -squared_ * x[0] - mu_ * v[0];
+    }
+
+private:
+    double squared_;
+    double mu_;
+};
+
+/// Spectral radius <= 1 by the criterion of Schur and Cohn on the one-step matrix, |det| <= 1 and
+/// |trace| <= 1 + det, which needs no square root of a cancelling difference.
+bool is_stable(Method& method, Oscillator& oscillator, double h) noexcept {
+    constexpr double kRounding = 1e-14;
+    std::array<Vec3, 1> q{Vec3{1, 0, 0}};
+    std::array<Vec3, 1> p{Vec3{0, 1, 0}};
+    method.step(oscillator, q, p, h);
+    const double determinant = q[0].x * p[0].y - q[0].y * p[0].x;
+    const double trace = q[0].x + p[0].y;
+    return std::abs(determinant) <= 1 + kRounding && std::abs(trace) <= 1 + determinant + kRounding;
+}
+
+/// out = M^-1/2 (wk K + wc C) M^-1/2 in, with K and C the tangents at x.
+class ScaledTangent {
+public:
+    ScaledTangent(const SpringSystem& system, std::span<const Vec3> x)
+        : system_(&system), x_(x), scale_(x.size()), u_(x.size()), image_(x.size()) {
+        const Network& network = system.network();
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            scale_[i] = network.fixed[i] != 0 ? 0 : 1 / std::sqrt(network.mass[i]);
+        }
+    }
+
+    void apply(double wk, double wc, std::span<const Vec3> in, std::span<Vec3> out) {
+        for (std::size_t i = 0; i < in.size(); ++i) {
+            u_[i] = scale_[i] * in[i];
+            out[i] = {};
+        }
+        if (wk != 0) {
+            system_->apply_stiffness(x_, u_, image_);
+            add(wk, out);
+        }
+        if (wc != 0) {
+            system_->apply_damping(x_, u_, image_);
+            add(wc, out);
+        }
+    }
+
+    /// The quotient q.(wk K + wc C) q of a unit vector.
+    double quotient(double wk, double wc, std::span<const Vec3> q) {
+        std::vector<Vec3> out(q.size());
+        apply(wk, wc, q, out);
+        double sum = 0;
+        for (std::size_t i = 0; i < q.size(); ++i) sum += dot(q[i], out[i]);
+        return sum;
+    }
+
+    EigenPair top(double wk, double wc) {
+        const RandomStream random(0, "adviser");
+        std::vector<Vec3> start(scale_.size());
+        for (std::size_t i = 0; i < start.size(); ++i) {
+            if (scale_[i] == 0) continue;
+            start[i] = {random.uniform(3 * i, -1, 1), random.uniform(3 * i + 1, -1, 1),
+                        random.uniform(3 * i + 2, -1, 1)};
+        }
+        return largest_eigenpair([&](std::span<const Vec3> in, std::span<Vec3> out) { apply(wk, wc, in, out); },
+                                 start, 1e-4);
+    }
+
+    /// M^-1/2 q: the displacements of a mode.
+    std::vector<Vec3> displacements(std::span<const Vec3> q) const {
+        std::vector<Vec3> u(q.size());
+        for (std::size_t i = 0; i < q.size(); ++i) u[i] = scale_[i] * q[i];
+        return u;
+    }
+
+private:
+    void add(double weight, std::span<Vec3> out) noexcept {
+        for (std::size_t i = 0; i < out.size(); ++i) out[i] += weight * scale_[i] * image_[i];
+    }
+
+    const SpringSystem* system_;
+    std::span<const Vec3> x_;
+    std::vector<double> scale_;  ///< m^-1/2, 0 where fixed
+    std::vector<Vec3> u_, image_;
+};
+
+struct Mode {
+    double limit = kInfinite;
+    double omega = 0;
+    double mu = 0;
+    std::vector<Vec3> shape;  ///< mass-scaled, unit length
+};
+
+Mode mode_of(ScaledTangent& tangent, EigenPair pair, const MethodInfo& method) {
+    if (pair.vector.empty()) return {};
+    Mode mode;
+    mode.omega = std::sqrt(std::max(0.0, tangent.quotient(1, 0, pair.vector)));
+    mode.mu = std::max(0.0, tangent.quotient(0, 1, pair.vector));
+    mode.limit = stability_limit(method, mode.omega, mode.mu);
+    mode.shape = std::move(pair.vector);
+    return mode;
+}
+
+/// A method that amplifies undamped oscillation is limited where omega^2/mu is largest, in whichever mode:
+/// the largest lambda of K q = lambda C q, found from above by Dinkelbach's iteration on K - lambda C.
+Mode least_damped(ScaledTangent& tangent, Mode mode, const MethodInfo& method) {
+    constexpr int kMaxRounds = 12;
+    for (int round = 0; round < kMaxRounds && mode.limit > 0 && mode.mu > 0; ++round) {
+        const double ratio = mode.omega * mode.omega / mode.mu;
+        Mode next = mode_of(tangent, tangent.top(1, -ratio), method);
+        if (!(next.limit < mode.limit * (1 - 1e-6))) break;
+        mode = std::move(next);
+    }
+    return mode;
+}
+
+/// The spring with the largest share in a mode's elastic energy, or in its damping when that rules it.
+void name_spring(const SpringSystem& system, std::span<const Vec3> x, std::span<const Vec3> u, Advice& advice) {
+    const bool by_damping = advice.damping_rate > advice.angular_frequency;
+    const auto& springs = system.network().springs;
+    double largest = 0;
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+        const Spring& s = springs[i];
+        const Vec3 l = x[s.a] - x[s.b];
+        const Vec3 du = u[s.a] - u[s.b];
+        const double length = norm(l);
+        if (length == 0) continue;
+        const double along = dot(l, du) / length;
+        const double across = std::max(0.0, dot(du, du) - along * along);
+        const double elastic = s.stiffness * (along * along + (length - s.rest_length) / length * across);
+        const double share = by_damping ? s.damping * along * along : elastic;
+        if (share <= largest) continue;
+        largest = share;
+        advice.spring = i;
+        advice.has_spring = true;
+    }
+}
+
+std::string sentence_of(const Advice& advice, const MethodInfo& method) {
+    const std::string name(method.name);
+    if (std::isinf(advice.stable_step))
+        return "nothing can oscillate here: every step of " + name + " is stable";
+    const std::string mode =
+        "a mode of " + number_text(advice.angular_frequency) + " rad/s with a damping rate of " +
+        number_text(advice.damping_rate) + " /s" +
+        (advice.has_spring ? ", strongest in spring " + std::to_string(advice.spring) : "");
+    if (advice.stable_step == 0) return "no step of " + name + " is stable: it amplifies " + mode;
+    return "the largest stable step of " + name + " is " + seconds_text(advice.stable_step) + ", set by " +
+           mode;
+}
+
+}  // namespace
+
+double stability_limit(const MethodInfo& method, double angular_frequency, double damping_rate) {
+    constexpr double kFirst = 1e-6;
+    constexpr double kLast = 1e3;
+    constexpr double kGrowth = 1.05;
+    const double rate = std::max(angular_frequency, damping_rate);
+    if (rate == 0) return kInfinite;
+    const auto stepper = method.make(1);
+    Oscillator oscillator(angular_frequency / rate, damping_rate / rate);
+    if (!is_stable(*stepper, oscillator, kFirst)) return 0;
+    double stable = kFirst;
+    while (is_stable(*stepper, oscillator, stable * kGrowth)) {
+        stable *= kGrowth;
+        if (stable > kLast) return kInfinite;
+    }
+    double unstable = stable * kGrowth;
+    while (unstable - stable > 1e-9 * stable) {
+        const double middle = stable + (unstable - stable) / 2;
+        (is_stable(*stepper, oscillator, middle) ? stable : unstable) = middle;
+    }
+    return stable / rate;
+}
+
+Advice advise(const SpringSystem& system, std::span<const Vec3> x, const MethodInfo& method) {
+    ScaledTangent tangent(system, x);
+    Mode worst = mode_of(tangent, tangent.top(1, 0), method);
+    const bool needs_damping = worst.omega > 0 && stability_limit(method, worst.omega, 0) == 0;
+    Mode most_damped = mode_of(tangent, tangent.top(0, 1), method);
+    if (most_damped.limit < worst.limit) worst = std::move(most_damped);
+    if (needs_damping) worst = least_damped(tangent, std::move(worst), method);
+
+    Advice advice;
+    advice.stable_step = worst.limit;
+    advice.angular_frequency = worst.omega;
+    advice.damping_rate = worst.mu;
+    if (!worst.shape.empty()) name_spring(system, x, tangent.displacements(worst.shape), advice);
+    advice.sentence = sentence_of(advice, method);
+    return advice;
+}
+
+}  // namespace orbweaver::mass_spring

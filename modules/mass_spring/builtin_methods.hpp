@@ -1,0 +1,12 @@
+#pragma once
+
+#include "method.hpp"
+
+namespace orbweaver::mass_spring {
+
+// One line per file of a method; methods.cpp gathers them into the table.
+std::unique_ptr<Method> make_explicit_euler(std::size_t particles);
+std::unique_ptr<Method> make_symplectic_euler(std::size_t particles);
+std::unique_ptr<Method> make_rk4(std::size_t particles);
+
+}  // namespace orbweaver::mass_spring

@@ -1,0 +1,37 @@
+#include "error_meter.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace orbweaver::mass_spring {
+
+ErrorMeter::ErrorMeter(int order) noexcept {
+    const auto power = static_cast<double>(std::uint64_t{1} << order);
+    factor_ = power / (power - 1);
+}
+
+bool ErrorMeter::samples(std::uint64_t frame) noexcept {
+    constexpr std::uint64_t kInterval = 64;
+    return frame % kInterval == 0 || (frame < kInterval && std::has_single_bit(frame));
+}
+
+void ErrorMeter::add(std::span<const Vec3> whole, std::span<const Vec3> halved) noexcept {
+    double largest = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i) largest = std::max(largest, distance(whole[i], halved[i]));
+    last_ = factor_ * largest;
+    sum_ += last_ * static_cast<double>(frames_since_);
+    frames_ += frames_since_;
+    frames_since_ = 0;
+    ++samples_;
+}
+
+double ErrorMeter::estimate() const noexcept { return sum_ + last_ * static_cast<double>(frames_since_); }
+
+std::string ErrorMeter::how() const {
+    if (samples_ == 0) return "no frame was redone yet";
+    return "step doubling: largest change of a position when a frame is redone at half the step, " +
+           std::to_string(samples_) + " of " + std::to_string(frames_ + frames_since_) +
+           " frames redone, errors of single frames added up";
+}
+
+}  // namespace orbweaver::mass_spring

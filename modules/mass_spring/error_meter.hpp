@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "orbweaver/vec3.hpp"
+
+namespace orbweaver::mass_spring {
+
+/// Adds up the position error of a run from frames redone at half the step. Early frames are sampled more
+/// densely (0, 1, 2, 4 ... 64, 128, 192 ...), and a sample stands for the frames since the one before.
+class ErrorMeter {
+public:
+    explicit ErrorMeter(int order) noexcept;
+
+    static bool samples(std::uint64_t frame) noexcept;
+    /// Positions at the frame's end, m, with steps of h and of h/2. By Richardson, the error of the former is
+    /// their difference times 2^p/(2^p - 1), p the method's order.
+    void add(std::span<const Vec3> whole, std::span<const Vec3> halved) noexcept;
+    void count_frame() noexcept { ++frames_since_; }
+
+    double estimate() const noexcept;  ///< m
+    std::string how() const;
+
+private:
+    double factor_;
+    double sum_ = 0;   ///< m, over the frames that samples stand for
+    double last_ = 0;  ///< m, of the last sample
+    std::uint64_t samples_ = 0;
+    std::uint64_t frames_ = 0;
+    std::uint64_t frames_since_ = 0;  ///< the last sample, it included
+};
+
+}  // namespace orbweaver::mass_spring

@@ -1,0 +1,124 @@
+#include "simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "orbweaver/fault.hpp"
+#include "quantity.hpp"
+#include "substep_plan.hpp"
+
+namespace orbweaver::mass_spring {
+
+Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double frame_step, std::span<Vec3> x,
+                       std::span<Vec3> v, std::span<double> memory)
+    : system_(&system),
+      settings_(std::move(settings)),
+      frame_step_(frame_step),
+      x_(x),
+      v_(v),
+      memory_(memory),
+      method_(settings_.method->make(x.size())),
+      watch_(x),
+      error_(settings_.method->order),
+      start_x_(x.begin(), x.end()),
+      start_v_(v.begin(), v.end()),
+      trial_x_(x.size()),
+      trial_v_(x.size()) {
+    for (std::size_t i = 0; i < v_.size(); ++i) {
+        if (system.network().fixed[i] != 0) v_[i] = {};
+    }
+    choose_substep();
+}
+
+void Simulation::choose_substep() {
+    advice_ = advise(*system_, x_, *settings_.method);
+    const SubstepPlan plan = plan_substeps(settings_, advice_, frame_step_);
+    set_substep(frame_step_ / static_cast<double>(plan.count));
+    if (plan.warning.empty() || warned_) return;
+    warned_ = true;
+    if (settings_.warn) settings_.warn(plan.warning);
+}
+
+void Simulation::set_substep(double seconds) noexcept { (memory_.empty() ? substep_ : memory_[0]) = seconds; }
+double Simulation::substep() const noexcept { return memory_.empty() ? substep_ : memory_[0]; }
+const Advice& Simulation::advice() const noexcept { return advice_; }
+std::uint64_t Simulation::steps() const noexcept { return steps_; }
+double Simulation::error_estimate() const noexcept { return error_.estimate(); }
+std::string Simulation::error_method() const { return error_.how(); }
+
+std::int64_t Simulation::substeps_per_frame() const noexcept {
+    return static_cast<std::int64_t>(std::llround(frame_step_ / substep()));
+}
+
+std::size_t Simulation::memory_bytes() const noexcept {
+    return system_->memory_bytes() + method_->memory_bytes() + 4 * x_.size() * sizeof(Vec3);
+}
+
+bool Simulation::integrate(std::span<Vec3> x, std::span<Vec3> v, std::int64_t count) noexcept {
+    constexpr std::int64_t kStepsPerLook = 256;  // so that a long frame does not go on for nothing
+    const double h = frame_step_ / static_cast<double>(count);
+    for (std::int64_t i = 0; i < count; ++i) {
+        method_->step(*system_, x, v, h);
+        if (((i + 1) % kStepsPerLook == 0 || i + 1 == count) && watch_.first_bad(x, v) < x.size()) return false;
+    }
+    return true;
+}
+
+void Simulation::advance(std::uint64_t frame, double time) {
+    std::copy(x_.begin(), x_.end(), start_x_.begin());
+    std::copy(v_.begin(), v_.end(), start_v_.begin());
+    if (const std::size_t bad = watch_.first_bad(x_, v_); bad < x_.size()) {
+        throw Fault(FaultKind::diverged,
+                    settings_.owner + ": particle " + std::to_string(bad) +
+                        " is not at a finite place with a finite velocity at t = " + seconds_text(time) +
+                        ", where frame " + std::to_string(frame) + " starts");
+    }
+    if (frame % kFramesPerAdvice == 0) choose_substep();
+    const std::int64_t count = substeps_per_frame();
+    if (!integrate(x_, v_, count)) fail(frame, time);
+    steps_ += static_cast<std::uint64_t>(count);
+    error_.count_frame();
+    if (ErrorMeter::samples(frame)) measure_error(count);
+}
+
+void Simulation::measure_error(std::int64_t count) {
+    std::copy(start_x_.begin(), start_x_.end(), trial_x_.begin());
+    std::copy(start_v_.begin(), start_v_.end(), trial_v_.begin());
+    if (integrate(trial_x_, trial_v_, 2 * count)) error_.add(x_, trial_x_);
+}
+
+void Simulation::fail(std::uint64_t frame, double time) {
+    const std::int64_t count = substeps_per_frame();
+    const double h = substep();
+    std::copy(start_x_.begin(), start_x_.end(), x_.begin());
+    std::copy(start_v_.begin(), start_v_.end(), v_.begin());
+    std::int64_t done = 0;
+    std::size_t bad = x_.size();
+    while (bad == x_.size() && done < count) {
+        std::copy(x_.begin(), x_.end(), trial_x_.begin());
+        std::copy(v_.begin(), v_.end(), trial_v_.begin());
+        method_->step(*system_, x_, v_, frame_step_ / static_cast<double>(count));
+        bad = watch_.first_bad(x_, v_);
+        ++done;
+    }
+    std::string what;
+    if (is_finite(x_[bad]) && is_finite(v_[bad])) {
+        what = "the position of particle " + std::to_string(bad) +
+               " left for more than a million times the extent";
+    } else {
+        const Culprit culprit = find_culprit(*system_, trial_x_, trial_v_, bad);
+        what = "the ";
+        what += culprit.term;
+        what += " on particle " + std::to_string(culprit.particle) + " stopped it being finite";
+    }
+    std::copy(start_x_.begin(), start_x_.end(), x_.begin());
+    std::copy(start_v_.begin(), start_v_.end(), v_.begin());
+    throw Fault(FaultKind::diverged, settings_.owner + ": " + what +
+                                         " at t = " + seconds_text(time + static_cast<double>(done) * h) +
+                                         " (frame " + std::to_string(frame) + ", step " + std::to_string(done) +
+                                         " of " + std::to_string(count) + ", each " + seconds_text(h) +
+                                         "); the state at t = " + seconds_text(time) + " is kept; " +
+                                         advice_.sentence);
+}
+
+}  // namespace orbweaver::mass_spring

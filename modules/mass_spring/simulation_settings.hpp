@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "method.hpp"
+
+namespace orbweaver::mass_spring {
+
+/// What to do when the asked step is longer than the adviser's.
+enum class OnUnstable : std::uint8_t { substep, stop, as_asked };
+
+struct SimulationSettings {
+    const MethodInfo* method = nullptr;
+    double step = 0;  ///< s, asked substep; 0: the adviser's
+    OnUnstable on_unstable = OnUnstable::substep;
+    std::int64_t max_substeps = 100000;                       ///< of one frame; more is refused in words
+    std::string owner;                                        ///< for sentences: "web"
+    std::function<std::string(std::size_t)> describe_spring;  ///< "spring 12 (radius, 3 to 7)"
+    std::function<void(const std::string&)> warn;             ///< receives full sentences
+};
+
+}  // namespace orbweaver::mass_spring

@@ -1,0 +1,74 @@
+#include "watch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "spring_force.hpp"
+
+namespace orbweaver::mass_spring {
+namespace {
+
+struct Term {
+    const char* name;
+    Vec3 force;
+};
+
+std::array<Term, 4> terms_on(const SpringSystem& system, std::span<const Vec3> x, std::span<const Vec3> v,
+                             std::size_t particle) {
+    Vec3 elastic;
+    Vec3 damping;
+    for (const Spring& s : system.network().springs) {
+        if (s.a != particle && s.b != particle) continue;
+        const double sign = s.a == particle ? -1 : 1;
+        const Vec3 l = x[s.a] - x[s.b];
+        elastic += sign * l * pull_factor(l, {}, s.rest_length, s.stiffness, 0);
+        damping += sign * l * pull_factor(l, v[s.a] - v[s.b], 0, 0, s.damping);
+    }
+    const Surroundings& around = system.surroundings();
+    return {{{"external force", around.external.empty() ? Vec3{} : around.external[particle]},
+             {"spring force", elastic},
+             {"spring damping", damping},
+             {"drag", -around.drag * v[particle]}}};
+}
+
+}  // namespace
+
+Watch::Watch(std::span<const Vec3> x) {
+    constexpr double kExtents = 1e6;
+    if (x.empty()) return;
+    Vec3 low = x[0];
+    Vec3 high = x[0];
+    for (const Vec3& each : x) {
+        low = {std::min(low.x, each.x), std::min(low.y, each.y), std::min(low.z, each.z)};
+        high = {std::max(high.x, each.x), std::max(high.y, each.y), std::max(high.z, each.z)};
+    }
+    middle_ = 0.5 * (low + high);
+    reach_ = kExtents * std::max(1.0, distance(low, high));
+}
+
+bool Watch::within_reach(const Vec3& position) const noexcept { return distance(position, middle_) <= reach_; }
+
+std::size_t Watch::first_bad(std::span<const Vec3> x, std::span<const Vec3> v) const noexcept {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (!within_reach(x[i]) || !is_finite(v[i])) return i;  // a NaN is within reach of nothing
+    }
+    return x.size();
+}
+
+Culprit find_culprit(SpringSystem& system, std::span<const Vec3> x, std::span<const Vec3> v,
+                     std::size_t first_bad) {
+    std::vector<Vec3> a(x.size());
+    system.accelerations(x, v, a);
+    const auto found = std::find_if(a.begin(), a.end(), [](const Vec3& each) { return !is_finite(each); });
+    const std::size_t particle = found == a.end() ? first_bad : static_cast<std::size_t>(found - a.begin());
+
+    const auto terms = terms_on(system, x, v, particle);
+    const auto bad =
+        std::find_if(terms.begin(), terms.end(), [](const Term& t) { return !is_finite(t.force); });
+    if (bad != terms.end()) return {particle, bad->name};
+    const auto smaller = [](const Term& p, const Term& q) { return norm(p.force) < norm(q.force); };
+    return {particle, std::max_element(terms.begin(), terms.end(), smaller)->name};
+}
+
+}  // namespace orbweaver::mass_spring

@@ -1,0 +1,136 @@
+#include "thread_pass.hpp"
+
+#include "picture/color.hpp"
+#include "shader.hpp"
+
+namespace orbweaver::view {
+namespace {
+
+constexpr double kNearPerDistance = 1e-3;  // clipping planes as parts of the distance to the target
+constexpr double kFarPerDistance = 1e3;
+
+constexpr const char* kVertex = R"(#version 330 core
+uniform samplerBuffer points;
+uniform mat4 view_projection;
+uniform vec2 half_size;     // px
+uniform vec2 width_near;    // thread width times focal length, m px; depth of the near plane, m
+layout(location = 0) in uvec2 ends;
+out float across;           // px from the axis
+out float reach;            // px from the axis at which coverage ends
+out float fill;             // opacity left to a thread thinner than a pixel
+void main() {
+    vec4 a = view_projection * vec4(texelFetch(points, int(ends.x)).xyz, 1);
+    vec4 b = view_projection * vec4(texelFetch(points, int(ends.y)).xyz, 1);
+    float near = width_near.y;
+    across = reach = fill = 0;
+    gl_Position = vec4(2, 2, 2, 1);
+    if (a.w < near && b.w < near) return;
+    if (a.w < near) a = mix(a, b, (near - a.w) / (b.w - a.w));
+    if (b.w < near) b = mix(b, a, (near - b.w) / (a.w - b.w));
+
+    vec2 pa = a.xy / a.w * half_size;
+    vec2 pb = b.xy / b.w * half_size;
+    float length_px = distance(pa, pb);
+    vec2 along = length_px > 1e-5 ? (pb - pa) / length_px : vec2(1, 0);
+    float side = (gl_VertexID & 1) == 0 ? -1 : 1;
+    bool at_a = gl_VertexID < 2;
+    vec4 end = at_a ? a : b;
+    float width = width_near.x / end.w;
+    reach = 0.5 * (max(width, 1) + 1);
+    fill = min(width, 1);
+    across = side * reach;
+    vec2 corner = (at_a ? pa : pb) + across * vec2(-along.y, along.x);
+    gl_Position = vec4(corner / half_size, end.z / end.w, 1);
+}
+)";
+
+constexpr const char* kFragment = R"(#version 330 core
+uniform vec4 look;          // linear color, alpha
+in float across;
+in float reach;
+in float fill;
+out vec4 color;
+void main() { color = vec4(look.rgb, look.a * fill * clamp(reach - abs(across), 0, 1)); }
+)";
+
+GLint uniform(const Gl& gl, const Object& program, const char* name) {
+    return gl.GetUniformLocation(program.name(), name);
+}
+
+}  // namespace
+
+ThreadPass::ThreadPass(const Gl& gl, const Threads& threads, const ThreadLook& look)
+    : gl_(gl),
+      threads_(threads),
+      look_(look),
+      program_(make_program(gl, "thread", kVertex, kFragment)),
+      vertices_(gl, ObjectKind::vertex_array),
+      segment_buffer_(gl, ObjectKind::buffer),
+      point_buffer_(gl, ObjectKind::buffer),
+      point_texture_(gl, ObjectKind::texture) {}
+
+std::size_t ThreadPass::memory_bytes() const noexcept {
+    return 2 * points_.size() * sizeof(float) + threads_.segments().size() * sizeof(ThreadSegment);
+}
+
+void ThreadPass::upload_segments() {
+    const auto segments = threads_.segments();
+    gl_.BindVertexArray(vertices_.name());
+    gl_.BindBuffer(GL_ARRAY_BUFFER, segment_buffer_.name());
+    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(segments.size_bytes()), segments.data(),
+                   GL_STATIC_DRAW);
+    gl_.EnableVertexAttribArray(0);
+    gl_.VertexAttribIPointer(0, 2, GL_UNSIGNED_INT, sizeof(ThreadSegment), nullptr);
+    gl_.VertexAttribDivisor(0, 1);
+    revision_ = threads_.revision();
+    uploaded_ = true;
+}
+
+void ThreadPass::upload_points() {
+    const auto points = threads_.points();
+    origin_ = points.front();
+    points_.resize(4 * points.size());
+    float* to = points_.data();
+    for (const Vec3& point : points) {
+        const Vec3 p = point - origin_;
+        *to++ = static_cast<float>(p.x);
+        *to++ = static_cast<float>(p.y);
+        *to++ = static_cast<float>(p.z);
+        *to++ = 1;
+    }
+    gl_.BindBuffer(GL_TEXTURE_BUFFER, point_buffer_.name());
+    gl_.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(points_.size() * sizeof(float)), points_.data(),
+                   GL_STREAM_DRAW);
+    gl_.ActiveTexture(GL_TEXTURE0);
+    gl_.BindTexture(GL_TEXTURE_BUFFER, point_texture_.name());
+    gl_.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, point_buffer_.name());
+}
+
+void ThreadPass::draw(const Camera& camera, int width, int height) {
+    if (threads_.segments().empty() || threads_.points().empty()) return;
+    if (!uploaded_ || revision_ != threads_.revision()) upload_segments();
+    upload_points();
+
+    const Camera local{camera.position - origin_, camera.target - origin_, camera.fov_degrees};
+    const double distance_to_target = distance(camera.position, camera.target);
+    const double near = kNearPerDistance * distance_to_target;
+    const auto matrix =
+        view_projection(local, static_cast<double>(width) / height, near, kFarPerDistance * distance_to_target);
+    const double focal = height / (2 * half_height(camera));
+    const auto light = [](double shade) { return picture::linear_from_srgb(static_cast<float>(shade)); };
+
+    gl_.UseProgram(program_.name());
+    gl_.UniformMatrix4fv(uniform(gl_, program_, "view_projection"), 1, GL_FALSE, matrix.data());
+    gl_.Uniform2f(uniform(gl_, program_, "half_size"), static_cast<float>(width) / 2,
+                  static_cast<float>(height) / 2);
+    gl_.Uniform2f(uniform(gl_, program_, "width_near"), static_cast<float>(look_.width * focal),
+                  static_cast<float>(near));
+    gl_.Uniform4f(uniform(gl_, program_, "look"), light(look_.color.x), light(look_.color.y),
+                  light(look_.color.z), static_cast<float>(look_.alpha));
+    gl_.Enable(GL_BLEND);
+    gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    gl_.BindVertexArray(vertices_.name());
+    gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(threads_.segments().size()));
+}
+
+}  // namespace orbweaver::view

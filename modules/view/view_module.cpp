@@ -1,0 +1,172 @@
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame_target.hpp"
+#include "manifest_text.hpp"
+#include "orbweaver/contracts/input.hpp"
+#include "orbweaver/contracts/picture_source.hpp"
+#include "orbweaver/entry.hpp"
+#include "sky_pass.hpp"
+#include "sky_source.hpp"
+#include "thread_pass.hpp"
+
+namespace orbweaver::view {
+namespace {
+
+struct Size {
+    int width = 0;
+    int height = 0;
+};
+
+Size asked_size(const Host& host) {
+    const auto& size = host.options().numbers("size");
+    const Request& request = host.request();
+    return {request.width > 0 ? request.width : static_cast<int>(size[0]),
+            request.height > 0 ? request.height : static_cast<int>(size[1])};
+}
+
+ThreadLook asked_look(const Options& options) {
+    return {options.number("thread.width"), options.vector("thread.color"), options.number("thread.alpha")};
+}
+
+/// Draws one picture each time the host presents.
+class View final : public Module, public PictureSource {
+public:
+    void attach(Host& host) override;
+    void run(Phase phase, const Frame& frame) override;
+    void report(ModuleReport& report) override;
+
+    int width() const noexcept override { return picture_->width(); }
+    int height() const noexcept override { return picture_->height(); }
+    std::span<const std::uint8_t> rgb() noexcept override;
+
+private:
+    void open_canvas(const Host& host);
+    void make_passes(Host& host);
+    void make_targets(Size size);
+    Camera home_camera(Host& host) const;
+    void obey_input();
+    void follow_window();
+    void draw_sky();
+
+    Canvas* canvas_ = nullptr;
+    Input* input_ = nullptr;
+    bool fixed_size_ = true;  // a film's pictures keep their size whatever becomes of the window
+    Gl gl_;
+    std::optional<SkyPass> sky_;
+    std::vector<std::unique_ptr<ThreadPass>> threads_;
+    std::optional<FrameTarget> backdrop_;  // the sky alone: it changes only with the camera
+    std::optional<FrameTarget> picture_;
+    bool backdrop_stale_ = true;
+    Camera home_;
+    Camera camera_;
+    std::vector<std::uint8_t> rgb_;
+    bool rgb_stale_ = true;
+    std::int64_t pictures_ = 0;
+};
+
+void View::attach(Host& host) {
+    input_ = host.find<Input>();
+    const Request& request = host.request();
+    fixed_size_ = !request.window || !request.frames_directory.empty() || !request.video_file.empty();
+    open_canvas(host);
+    gl_ = load_gl(*canvas_);
+    make_targets(asked_size(host));
+    make_passes(host);
+    home_ = camera_ = home_camera(host);
+    host.provide<PictureSource>(*this);
+}
+
+void View::open_canvas(const Host& host) {
+    canvas_ = host.find<Canvas>();
+    const auto [width, height] = asked_size(host);
+    std::string why;
+    if (!canvas_->open(width, height, host.scene().name.c_str(), why)) throw Fault(FaultKind::internal, why);
+}
+
+void View::make_passes(Host& host) {
+    sky_.emplace(gl_, load_sky(host));
+    for (const Threads* threads : host.collect<Threads>())
+        threads_.push_back(std::make_unique<ThreadPass>(gl_, *threads, asked_look(host.options())));
+}
+
+void View::make_targets(Size size) {
+    backdrop_.emplace(gl_, size.width, size.height);
+    picture_.emplace(gl_, size.width, size.height);
+    backdrop_stale_ = true;
+}
+
+Camera View::home_camera(Host& host) const {
+    const Options& options = host.options();
+    std::vector<Vec3> points;
+    for (const Threads* threads : host.collect<Threads>())
+        points.insert(points.end(), threads->points().begin(), threads->points().end());
+    const Vec3 target = options.has("camera.target") ? options.vector("camera.target") : middle(points);
+    const double aspect = static_cast<double>(width()) / height();
+    Camera camera = frame_points(points, target, options.number("camera.fov"), aspect);
+    if (options.has("camera.position")) camera.position = options.vector("camera.position");
+    if (camera.position == camera.target)
+        host.report_fault({options.where("camera.position"), "camera.position is where camera.target is",
+                           "two different points", "move the camera away from what it looks at"});
+    return camera;
+}
+
+void View::obey_input() {
+    if (input_ == nullptr) return;
+    const InputEvents& events = input_->latest();
+    if (!events.reset_camera && events.orbit_x == 0 && events.orbit_y == 0 && events.zoom == 0) return;
+    if (events.reset_camera) camera_ = home_;
+    camera_ = zoom(orbit(camera_, events.orbit_x, events.orbit_y), events.zoom);
+    backdrop_stale_ = true;
+}
+
+void View::follow_window() {
+    const Size size{canvas_->width(), canvas_->height()};
+    const bool same = size.width == width() && size.height == height();
+    if (!fixed_size_ && !same && size.width > 0 && size.height > 0) make_targets(size);
+}
+
+void View::draw_sky() {
+    if (backdrop_stale_) {
+        backdrop_->bind();
+        sky_->draw(camera_, static_cast<double>(width()) / height());
+        backdrop_stale_ = false;
+    }
+    backdrop_->copy_to(picture_->framebuffer(), width(), height());
+}
+
+void View::run(Phase, const Frame&) {
+    obey_input();
+    follow_window();
+    draw_sky();
+    picture_->bind();
+    for (const auto& each : threads_) each->draw(camera_, width(), height());
+    picture_->copy_to(0, canvas_->width(), canvas_->height());
+    canvas_->present();
+    rgb_stale_ = true;
+    ++pictures_;
+}
+
+std::span<const std::uint8_t> View::rgb() noexcept {
+    if (rgb_stale_) picture_->read(rgb_);
+    rgb_stale_ = false;
+    return rgb_;
+}
+
+void View::report(ModuleReport& report) {
+    std::size_t bytes =
+        sky_->memory_bytes() + backdrop_->memory_bytes() + picture_->memory_bytes() + rgb_.capacity();
+    for (const auto& each : threads_) bytes += each->memory_bytes();
+    report.memory_bytes = bytes;
+    report.measure("pictures", pictures_);
+    report.measure("width", static_cast<std::int64_t>(width()));
+    report.measure("height", static_cast<std::int64_t>(height()));
+    report.measure("renderer", std::string(reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER))));
+}
+
+}  // namespace
+}  // namespace orbweaver::view
+
+ORBWEAVER_MODULE(orbweaver::view::View)

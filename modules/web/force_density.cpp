@@ -1,0 +1,108 @@
+#include <Eigen/SparseCholesky>
+#include <limits>
+
+#include "orbweaver/fault.hpp"
+#include "prestress.hpp"
+
+namespace orbweaver::web {
+
+namespace {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+constexpr int kFixed = -1;
+
+/// The row of each particle in the system of equations; kFixed for anchors.
+struct Rows {
+    std::vector<int> of;
+    int count = 0;
+};
+
+Rows number_free_particles(const Layout& layout) {
+    Rows rows;
+    for (const std::uint8_t fixed : layout.fixed) rows.of.push_back(fixed != 0 ? kFixed : rows.count++);
+    return rows;
+}
+
+/// One end of a piece in the equations of its free end: q on the diagonal, and the other end either as an
+/// unknown or, fixed, on the right-hand side.
+class Equations {
+public:
+    Equations(const Layout& layout, const Rows& rows, std::span<const Vec3> loads)
+        : layout_(layout), rows_(rows), right_(rows.count, 3) {
+        for (std::size_t i = 0; i < loads.size(); ++i)
+            if (rows.of[i] != kFixed) right_.row(rows.of[i]) << loads[i].x, loads[i].y, loads[i].z;
+    }
+
+    void add(Index end, Index other, double density) {
+        const int row = rows_.of[end];
+        if (row == kFixed) return;
+        entries_.emplace_back(row, row, density);
+        if (rows_.of[other] != kFixed) {
+            entries_.emplace_back(row, rows_.of[other], -density);
+        } else {
+            const Vec3& p = layout_.positions[other];
+            right_.row(row) += density * Eigen::RowVector3d(p.x, p.y, p.z);
+        }
+    }
+
+    Eigen::MatrixX3d solve() const {
+        SparseMatrix matrix(rows_.count, rows_.count);
+        matrix.setFromTriplets(entries_.begin(), entries_.end());
+        const Eigen::SimplicialLDLT<SparseMatrix> factors(matrix);
+        if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() <= 0)
+            throw Fault(FaultKind::invalid, "the web's form cannot be found: part of it hangs on no anchor");
+        Eigen::MatrixX3d x = factors.solve(right_);
+        x += factors.solve(right_ - matrix * x);  // one refinement: the residual is what a web starts with
+        return x;
+    }
+
+private:
+    const Layout& layout_;
+    const Rows& rows_;
+    std::vector<Eigen::Triplet<double>> entries_;
+    Eigen::MatrixX3d right_;
+};
+
+}  // namespace
+
+std::vector<Vec3> solve_force_densities(const Layout& layout, std::span<const double> densities,
+                                        std::span<const Vec3> loads) {
+    const Rows rows = number_free_particles(layout);
+    std::vector<Vec3> positions = layout.positions;
+    if (rows.count == 0) return positions;
+    Equations equations(layout, rows, loads);
+    for (std::size_t s = 0; s < layout.pieces.size(); ++s) {
+        equations.add(layout.pieces[s].a, layout.pieces[s].b, densities[s]);
+        equations.add(layout.pieces[s].b, layout.pieces[s].a, densities[s]);
+    }
+    const Eigen::MatrixX3d x = equations.solve();
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        if (rows.of[i] != kFixed) positions[i] = {x(rows.of[i], 0), x(rows.of[i], 1), x(rows.of[i], 2)};
+    return positions;
+}
+
+mass_spring::Network find_form(Layout& layout, const Silks& silks, double particle_mass, double damping,
+                               const Vec3& gravity) {
+    const auto length = [&](const Piece& piece) {
+        return distance(layout.positions[piece.a], layout.positions[piece.b]);
+    };
+    const auto silk = [&](const Piece& piece) { return silks[static_cast<std::size_t>(piece.kind)]; };
+
+    std::vector<double> densities;
+    for (const Piece& piece : layout.pieces) densities.push_back(silk(piece).tension / length(piece));
+    const std::vector<Vec3> loads(layout.positions.size(), gravity * particle_mass);
+    layout.positions = solve_force_densities(layout, densities, loads);
+
+    mass_spring::Network network;
+    network.mass.assign(layout.positions.size(), particle_mass);
+    network.fixed = layout.fixed;
+    for (std::size_t s = 0; s < layout.pieces.size(); ++s) {
+        const Piece& piece = layout.pieces[s];
+        const double stiffness = silk(piece).axial_stiffness;
+        const double rest = length(piece) / (1 + densities[s] * length(piece) / stiffness);
+        network.springs.push_back({piece.a, piece.b, rest, stiffness / rest, damping});
+    }
+    return network;
+}
+
+}  // namespace orbweaver::web

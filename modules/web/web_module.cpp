@@ -1,0 +1,204 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "manifest_text.hpp"
+#include "mass_spring/relax.hpp"
+#include "mass_spring/simulation.hpp"
+#include "measures.hpp"
+#include "orbweaver/contracts/threads.hpp"
+#include "orbweaver/contracts/wind_field.hpp"
+#include "orbweaver/contracts/workers.hpp"
+#include "orbweaver/entry.hpp"
+#include "web_options.hpp"
+
+namespace orbweaver::web {
+
+namespace {
+
+using mass_spring::OnUnstable;
+
+OnUnstable read_on_unstable(const std::string& name) {
+    if (name == "stop") return OnUnstable::stop;
+    return name == "as_asked" ? OnUnstable::as_asked : OnUnstable::substep;
+}
+
+}  // namespace
+
+/// One [web] table: builds the web, moves it frame by frame, and shows its threads.
+class WebModule final : public Module, public Threads {
+public:
+    void attach(Host& host) override {
+        Diagnostics faults;
+        auto web = build_web(host.options(), host.scene().gravity, host.random("irregularity"), faults);
+        for (Diagnostic& fault : faults) host.report_fault(std::move(fault));
+        if (!web) return;
+        web_ = std::move(*web);
+        for (const Piece& piece : web_.layout.pieces)
+            segments_.push_back({piece.a, piece.b, static_cast<std::uint32_t>(piece.kind)});
+        make_state(host);
+        make_system(host);
+        if (host.options().flag("settle")) settle(host);
+        start_residual_ = residual();
+        make_simulation(host);
+        host.provide<Threads>(*this);
+        derive();
+    }
+
+    void run(Phase phase, const Frame& frame) override {
+        if (phase == Phase::sense && wind_ != nullptr) sense(frame);
+        if (phase == Phase::integrate) simulation_->advance(frame.index, frame.time);
+        if (phase == Phase::derive) derive();
+    }
+
+    void restored() override { derive(); }
+
+    void report(ModuleReport& report) override {
+        report.method = method_;
+        report.steps = simulation_->steps();
+        report.memory_bytes = memory_bytes();
+        report.has_error = true;
+        report.error = {simulation_->error_estimate(), "m", simulation_->error_method()};
+        report_threads(report);
+        if (web_.layout.is_orb()) report_orb(report);
+        report.measure("settle_residual_n", start_residual_);
+        report.measure("energy_j", energy_);
+        const mass_spring::Advice& advice = simulation_->advice();
+        report.measure("stable_step_s", advice.stable_step);
+        report.measure("stable_step_spring", advice.has_spring ? describe_spring(advice.spring) : "none");
+    }
+
+    std::span<const Vec3> points() const noexcept override { return position_; }
+    std::span<const ThreadSegment> segments() const noexcept override { return segments_; }
+    std::span<const std::string_view> kinds() const noexcept override { return kKindNames; }
+    std::uint64_t revision() const noexcept override { return 0; }
+
+private:
+    void make_state(Host& host) {
+        const std::size_t count = web_.network.size();
+        position_ = host.state().vectors("position", count, {"m", "positions of the web's particles"});
+        velocity_ = host.state().vectors("velocity", count, {"m/s", "velocities of the web's particles"});
+        substep_ = host.state().scalars("substep", mass_spring::kSimulationMemory,
+                                        {"s", "step of the method in use", false});
+        std::copy(web_.layout.positions.begin(), web_.layout.positions.end(), position_.begin());
+    }
+
+    void make_system(Host& host) {
+        system_ = std::make_unique<mass_spring::SpringSystem>(web_.network, host.find<Workers>());
+        surroundings_ = {host.scene().gravity, host.options().number("drag"), {}};
+        wind_ = host.find<WindField>();
+        if (wind_ != nullptr) {
+            air_velocity_.resize(position_.size());
+            external_.resize(position_.size());
+            surroundings_.external = external_;
+            for (const Vec3& p : position_) radius_ = std::max(radius_, distance(p, web_.layout.center));
+        }
+        system_->set_surroundings(surroundings_);
+    }
+
+    void make_simulation(Host& host) {
+        const Options& options = host.options();
+        method_ = options.text("method");
+        mass_spring::SimulationSettings settings;
+        settings.method = mass_spring::find_method(method_);
+        settings.step = options.has("step") ? options.number("step") : 0;
+        settings.on_unstable = read_on_unstable(options.text("on_unstable"));
+        settings.max_substeps = options.integer("max_substeps");
+        settings.owner = host.instance_name();
+        settings.describe_spring = [this](std::size_t i) { return describe_spring(i); };
+        settings.warn = [&host](const std::string& sentence) { host.log(LogLevel::warning, sentence); };
+        simulation_ = std::make_unique<mass_spring::Simulation>(*system_, settings, host.scene().step, position_,
+                                                                velocity_, substep_);
+        host.telemetry("energy_j", "J", &energy_);
+        host.telemetry("kinetic_energy_j", "J", &kinetic_energy_);
+        host.telemetry("max_strain", "1", &max_strain_);
+    }
+
+    /// To a thousandth of a particle's weight, beyond which nothing can be seen to move.
+    void settle(Host& host) {
+        constexpr std::size_t kMostIterations = 200'000;
+        const double mean_mass = measure_threads(web_.network, position_).total_mass /
+                                 static_cast<double>(web_.network.size());
+        const double tolerance = 1e-3 * 9.81 * mean_mass;
+        const auto found = mass_spring::relax(*system_, position_, tolerance, kMostIterations);
+        if (!found.converged)
+            host.log(LogLevel::warning,
+                     fmt::format("{} did not come to rest: after {} iterations {:.3g} N are left of the {:.3g} N "
+                                 "sought; it starts moving",
+                                 host.instance_name(), found.iterations, found.residual, tolerance));
+    }
+
+    void sense(const Frame& frame) {
+        wind_->sample({frame.time, position_, web_.layout.center, radius_}, air_velocity_, external_);
+        for (std::size_t i = 0; i < external_.size(); ++i) external_[i] += surroundings_.drag * air_velocity_[i];
+    }
+
+    void derive() {
+        const mass_spring::Energy energy = system_->energy(position_, velocity_);
+        energy_ = energy.total();
+        kinetic_energy_ = energy.kinetic;
+        max_strain_ = measure_threads(web_.network, position_).max_strain;
+    }
+
+    double residual() const {
+        const std::vector<Vec3> rest(position_.size());
+        std::vector<Vec3> forces(position_.size());
+        system_->forces(position_, rest, forces);
+        return largest_residual(web_.network, forces);
+    }
+
+    void report_threads(ModuleReport& report) const {
+        const ThreadMeasures threads = measure_threads(web_.network, position_);
+        report.measure("particles", static_cast<std::int64_t>(web_.network.size()));
+        report.measure("springs", static_cast<std::int64_t>(web_.network.springs.size()));
+        report.measure("silk_length_m", threads.silk_length);
+        report.measure("total_mass_kg", threads.total_mass);
+        report.measure("max_strain", threads.max_strain);
+        report.measure("slack_springs", static_cast<std::int64_t>(threads.slack_springs));
+    }
+
+    void report_orb(ModuleReport& report) const {
+        const OrbMeasures orb = measure_orb(web_.layout, position_);
+        report.measure("radii", static_cast<std::int64_t>(orb.radii));
+        report.measure("spiral_turns", orb.spiral_turns);
+        report.measure("capture_area_m2", orb.capture_area);
+        report.measure("frame_area_m2", frame_area(web_.layout, position_));
+        report.measure("mesh_width_m", orb.mesh_width);
+        report.measure("asymmetry", orb.asymmetry);
+    }
+
+    std::string describe_spring(std::size_t i) const {
+        const Piece& piece = web_.layout.pieces[i];
+        return fmt::format("spring {} ({}, particles {} and {})", i,
+                           kKindNames[static_cast<std::size_t>(piece.kind)], piece.a, piece.b);
+    }
+
+    std::size_t memory_bytes() const {
+        return system_->memory_bytes() + simulation_->memory_bytes() + segments_.size() * sizeof(ThreadSegment) +
+               web_.layout.pieces.size() * (sizeof(Piece) + sizeof(mass_spring::Spring)) +
+               web_.network.size() * (sizeof(double) + sizeof(Vec3)) +
+               (air_velocity_.size() + external_.size()) * sizeof(Vec3);
+    }
+
+    Web web_;
+    std::vector<ThreadSegment> segments_;
+    std::span<Vec3> position_;    // state, m
+    std::span<Vec3> velocity_;    // state, m/s
+    std::span<double> substep_;   // state, s
+    std::unique_ptr<mass_spring::SpringSystem> system_;
+    std::unique_ptr<mass_spring::Simulation> simulation_;
+    mass_spring::Surroundings surroundings_;
+    std::string method_;
+    const WindField* wind_ = nullptr;
+    std::vector<Vec3> air_velocity_;  // m/s, sampled this frame
+    std::vector<Vec3> external_;      // N, of this frame
+    double radius_ = 0;               // m, from the center to the farthest particle
+    double start_residual_ = 0;       // N
+    double energy_ = 0;
+    double kinetic_energy_ = 0;
+    double max_strain_ = 0;
+};
+
+}  // namespace orbweaver::web
+
+ORBWEAVER_MODULE(orbweaver::web::WebModule)

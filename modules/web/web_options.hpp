@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "construction.hpp"
+#include "orbweaver/options.hpp"
+#include "orbweaver/random.hpp"
+#include "prestress.hpp"
+#include "strand.hpp"
+#include "web.hpp"
+
+namespace orbweaver::web {
+
+Construction read_construction(const Options& options);
+Silks read_silks(const Options& options);
+
+/// Builds what a [web] table asks for. Nothing where it asks for none or several of anchors (or species),
+/// network and strand, or where the one has faults; each is reported where the scene says it.
+std::optional<Web> build_web(const Options& options, const Vec3& gravity, const RandomStream& irregularity,
+                             Diagnostics& faults);
+
+}  // namespace orbweaver::web

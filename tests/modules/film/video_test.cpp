@@ -1,0 +1,23 @@
+#include "video.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "scratch.hpp"
+
+using namespace orbweaver;
+using film::plan_video;
+
+TEST_CASE("ffmpeg is used when it is found and the name does not ask for WebP", "[unit]") {
+    const test::Scratch scratch;
+    const auto program = scratch.write("ffmpeg", "#!/bin/sh\n");
+    const auto path = "/nonexistent::" + scratch.path();
+
+    CHECK(plan_video("a.mp4", path).ffmpeg.empty());  // not executable
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    CHECK(plan_video("a.mp4", path).ffmpeg == program);
+    CHECK(plan_video("a.mp4", path).file == "a.mp4");
+    CHECK(plan_video("a.webp", path).ffmpeg.empty());
+
+    CHECK(plan_video("out/a.mp4", "").file == "out/a.webp");
+    CHECK(plan_video("out/a", "").file == "out/a.webp");
+}

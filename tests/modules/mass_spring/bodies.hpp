@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "network.hpp"
+#include "orbweaver/random.hpp"
+
+/// Small mass-spring bodies that several tests share.
+namespace bodies {
+
+using orbweaver::Vec3;
+using orbweaver::mass_spring::Network;
+using orbweaver::mass_spring::Spring;
+
+constexpr double kPi = 3.14159265358979323846;
+
+struct Body {
+    Network network;
+    std::vector<Vec3> x;  ///< m
+    std::vector<Vec3> v;  ///< m/s
+
+    std::uint32_t add(const Vec3& position, double mass, bool fixed = false) {
+        network.mass.push_back(mass);
+        network.fixed.push_back(fixed ? 1 : 0);
+        x.push_back(position);
+        v.push_back({});
+        return static_cast<std::uint32_t>(x.size() - 1);
+    }
+    void join(std::uint32_t a, std::uint32_t b, double rest_length, double stiffness, double damping = 0) {
+        network.springs.push_back({a, b, rest_length, stiffness, damping});
+    }
+};
+
+/// A mass on a spring from a fixed point at the origin, along x, at rest.
+inline Body oscillator(double mass, double stiffness, double damping = 0) {
+    Body body;
+    body.add({0, 0, 0}, mass, true);
+    body.add({1, 0, 0}, mass);
+    body.join(0, 1, 1, stiffness, damping);
+    return body;
+}
+
+/// `beads` masses between two fixed ends on the x axis, `spacing` apart, every spring under `tension`.
+inline Body bead_string(std::size_t beads, double spacing, double mass, double stiffness, double tension) {
+    Body body;
+    for (std::size_t i = 0; i < beads + 2; ++i) {
+        body.add({spacing * static_cast<double>(i), 0, 0}, mass, i == 0 || i == beads + 1);
+    }
+    for (std::uint32_t i = 0; i + 1 < body.x.size(); ++i) {
+        body.join(i, i + 1, spacing - tension / stiffness, stiffness);
+    }
+    return body;
+}
+
+/// A hub with `spokes` springs of 0.1 m, slightly taut, to fixed ends.
+inline Body wheel(std::size_t spokes, double mass, double stiffness, double damping) {
+    Body body;
+    body.add({0, 0, 0}, mass);
+    for (std::size_t i = 0; i < spokes; ++i) {
+        const double angle = 2 * kPi * static_cast<double>(i) / static_cast<double>(spokes);
+        const auto end = body.add({0.1 * std::cos(angle), 0.1 * std::sin(angle), 0}, mass, true);
+        body.join(0, end, 0.099, stiffness, damping);
+    }
+    return body;
+}
+
+/// Particles at random places with random velocities, each joined to three at random; none is fixed.
+inline Body tangle(std::size_t particles, double damping) {
+    const orbweaver::RandomStream random(3, "tangle");
+    Body body;
+    std::uint64_t n = 0;
+    const auto vector = [&](double size) {
+        const double x = random.uniform(n++, -size, size);
+        const double y = random.uniform(n++, -size, size);
+        return Vec3{x, y, random.uniform(n++, -size, size)};
+    };
+    for (std::size_t i = 0; i < particles; ++i) {
+        body.add(vector(1), random.uniform(n++, 0.5, 2));
+        body.v.back() = vector(1);
+    }
+    for (std::uint32_t i = 0; i < particles; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            const auto other = static_cast<std::uint32_t>(random.bits(n++) % particles);
+            const double rest_length = random.uniform(n++, 0.5, 1);
+            const double stiffness = random.uniform(n++, 1, 5);
+            if (other != i) body.join(i, other, rest_length, stiffness, damping);
+        }
+    }
+    return body;
+}
+
+inline bool same_bits(std::span<const Vec3> a, std::span<const Vec3> b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
+}  // namespace bodies

@@ -1,0 +1,29 @@
+#include "error_meter.hpp"
+
+#include <catch2/catch.hpp>
+#include <vector>
+
+using orbweaver::Vec3;
+using orbweaver::mass_spring::ErrorMeter;
+
+TEST_CASE("a sample is Richardson's estimate and stands for the frames before it", "[unit]") {
+    ErrorMeter meter(1);
+    const std::vector<Vec3> whole{{0, 0, 0}, {1, 0, 0}};
+    const std::vector<Vec3> halved{{0, 0, 0}, {1, 3e-6, 4e-6}};
+    for (int i = 0; i < 10; ++i) meter.count_frame();
+    meter.add(whole, halved);  // 5e-6 * 2/(2 - 1), for ten frames
+    CHECK(meter.estimate() == Approx(1e-4).epsilon(1e-12));
+    for (int i = 0; i < 5; ++i) meter.count_frame();
+    CHECK(meter.estimate() == Approx(1.5e-4).epsilon(1e-12));
+    CHECK(meter.how() ==
+          "step doubling: largest change of a position when a frame is redone at half the step, 1 of 15 frames "
+          "redone, errors of single frames added up");
+}
+
+TEST_CASE("frames are sampled at powers of two, then every 64", "[unit]") {
+    std::vector<std::uint64_t> sampled;
+    for (std::uint64_t i = 0; i < 200; ++i) {
+        if (ErrorMeter::samples(i)) sampled.push_back(i);
+    }
+    CHECK(sampled == std::vector<std::uint64_t>{0, 1, 2, 4, 8, 16, 32, 64, 128, 192});
+}

@@ -1,0 +1,80 @@
+#include "method.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "bodies.hpp"
+
+using namespace orbweaver;
+using namespace orbweaver::mass_spring;
+
+namespace {
+
+/// The error of q'' = -omega^2 q - mu q', q(0) = 1, q'(0) = 0 at t = 1, in q and q'/omega together, against
+/// q = e^(-mu t/2) [cos(w t) + mu/(2 w) sin(w t)], q' = -e^(-mu t/2) omega^2/w sin(w t), w^2 = omega^2 -
+/// mu^2/4.
+double oscillator_error(const MethodInfo& info, int steps) {
+    constexpr double kMass = 2, kStiffness = 18, kDamping = 1;
+    const double mu = kDamping / kMass;
+    const double w = std::sqrt(kStiffness / kMass - mu * mu / 4);
+    bodies::Body body = bodies::oscillator(kMass, kStiffness, kDamping);
+    body.x[1].x = 1.5;
+    SpringSystem system(body.network, nullptr);
+    const auto method = info.make(2);
+    for (int i = 0; i < steps; ++i) method->step(system, body.x, body.v, 1.0 / steps);
+    const double exact = std::exp(-mu / 2) * (std::cos(w) + mu / (2 * w) * std::sin(w));
+    const double exact_rate = -std::exp(-mu / 2) * (kStiffness / kMass) / w * std::sin(w);
+    return std::hypot(body.x[1].x - 1 - 0.5 * exact, (body.v[1].x - 0.5 * exact_rate) / w);
+}
+
+}  // namespace
+
+TEST_CASE("methods converge with the order their row says", "[unit]") {
+    for (const MethodInfo& info : methods()) {
+        INFO(info.name);
+        const int steps = info.order > 1 ? 50 : 2000;  // well inside the asymptotic range, above rounding
+        const double order = std::log2(oscillator_error(info, steps) / oscillator_error(info, 2 * steps));
+        CHECK(order == Approx(info.order).margin(0.1));
+    }
+}
+
+TEST_CASE("methods ask for the evaluations their row says", "[unit]") {
+    class Counter final : public DynamicSystem {
+    public:
+        std::size_t size() const noexcept override { return 1; }
+        void accelerations(std::span<const Vec3>, std::span<const Vec3>, std::span<Vec3> a) noexcept override {
+            ++calls;
+            a[0] = {};
+        }
+        int calls = 0;
+    };
+    for (const MethodInfo& info : methods()) {
+        Counter counter;
+        std::vector<Vec3> x(1), v(1);
+        info.make(1)->step(counter, x, v, 1);
+        CHECK(counter.calls == info.evaluations);
+    }
+}
+
+TEST_CASE("methods are found by the name scenes write", "[unit]") {
+    std::string names;
+    for (const MethodInfo& info : methods()) {
+        names += std::string(info.name) + " ";
+        REQUIRE(find_method(info.name) == &info);
+    }
+    CHECK(names == "explicit_euler symplectic_euler rk4 ");
+    CHECK(find_method("rk5") == nullptr);
+}
+
+TEST_CASE("every method follows a free fall", "[unit]") {
+    for (const MethodInfo& info : methods()) {
+        bodies::Body body;
+        body.add({0, 0, 0}, 3);
+        SpringSystem system(body.network, nullptr);
+        system.set_surroundings({{0, -10, 0}, 0, {}});
+        const auto method = info.make(1);
+        for (int i = 0; i < 1000; ++i) method->step(system, body.x, body.v, 1e-3);
+        CHECK(body.v[0].y == Approx(-10).epsilon(1e-12));
+        CHECK(body.x[0].y == Approx(-5).epsilon(info.order > 1 ? 1e-12 : 1.1e-3));  // Euler: g h t/2 off
+    }
+}

@@ -1,0 +1,85 @@
+#include "spring_kernel.hpp"
+
+#include <catch2/catch.hpp>
+#include <thread>
+
+#include "bodies.hpp"
+#include "spring_system.hpp"
+
+using bodies::Body;
+using namespace orbweaver;
+using namespace orbweaver::mass_spring;
+
+namespace {
+
+/// Two threads and ranges of awkward, changing lengths.
+class TwoWorkers final : public Workers {
+public:
+    void parallel_for(std::size_t count, std::size_t grain, Body body, void* context) noexcept override {
+        ++calls;
+        const std::size_t cut = std::min(count, grain + 1 + calls % 7);
+        std::thread other([&] { body(context, cut, count); });
+        body(context, 0, cut);
+        other.join();
+    }
+    std::size_t calls = 0;
+};
+
+std::vector<Vec3> accelerations_of(const Body& body, const Surroundings& around, const SpringKernels& kernels,
+                                   Workers* workers) {
+    SpringSystem system(body.network, workers);
+    system.set_surroundings(around);
+    system.use_kernels(kernels);
+    std::vector<Vec3> a(body.x.size());
+    system.accelerations(body.x, body.v, a);
+    return a;
+}
+
+/// A tangle with a few fixed particles and two at the same point.
+Body awkward_body(std::size_t particles, double damping) {
+    Body body = bodies::tangle(particles, damping);
+    body.network.fixed[0] = body.network.fixed[particles / 2] = 1;
+    body.x[body.network.springs[5].a] = body.x[body.network.springs[5].b];
+    return body;
+}
+
+}  // namespace
+
+TEST_CASE("kernels and workers give the same bits", "[unit]") {
+    struct Case {
+        const char* name;
+        std::size_t particles;
+        double damping;
+        double drag;
+        bool external;
+    };
+    // Spring counts that are and are not multiples of four; 4000 particles are enough to be shared.
+    const Case cases[] = {{"a handful", 5, 0.3, 0.1, true},       {"bare springs", 101, 0, 0, false},
+                          {"damped springs", 102, 0.3, 0, false}, {"drag and wind", 103, 0, 0.1, true},
+                          {"many, bare", 4000, 0, 0, false},      {"many, everything", 4001, 0.3, 0.1, true}};
+    for (const Case& each : cases) {
+        INFO(each.name);
+        const Body body = awkward_body(each.particles, each.damping);
+        std::vector<Vec3> wind;
+        if (each.external) wind.assign(body.v.rbegin(), body.v.rend());
+        const Surroundings around{{0, -9.81, 0}, each.drag, wind};
+        const auto plain = accelerations_of(body, around, plain_kernels(), nullptr);
+        TwoWorkers workers;
+        CHECK(bodies::same_bits(plain, accelerations_of(body, around, plain_kernels(), &workers)));
+        if (avx2_kernels() != nullptr) {
+            CHECK(bodies::same_bits(plain, accelerations_of(body, around, *avx2_kernels(), nullptr)));
+            CHECK(bodies::same_bits(plain, accelerations_of(body, around, *avx2_kernels(), &workers)));
+        }
+        CHECK((workers.calls > 0) == (each.particles >= 4000));
+        CHECK(plain[0] == Vec3{});
+    }
+}
+
+TEST_CASE("a spring whose ends meet pulls nowhere", "[unit]") {
+    Body body = bodies::oscillator(1, 10, 0.5);
+    body.x[1] = body.x[0];
+    body.v[1] = {1, 2, 3};
+    for (const SpringKernels* kernels : {&plain_kernels(), &best_kernels()}) {
+        CHECK(accelerations_of(body, {}, *kernels, nullptr)[1] == Vec3{});
+    }
+}

@@ -1,0 +1,114 @@
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "fake_host.hpp"
+#include "orbweaver/contracts/canvas.hpp"
+#include "orbweaver/contracts/input.hpp"
+#include "orbweaver/contracts/picture_source.hpp"
+#include "orbweaver/contracts/threads.hpp"
+
+using namespace orbweaver;
+
+namespace {
+
+struct Cross final : Threads {
+    std::vector<Vec3> at = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}};
+    std::vector<ThreadSegment> pieces = {{0, 1, 0}, {2, 3, 0}};
+    std::span<const Vec3> points() const noexcept override { return at; }
+    std::span<const ThreadSegment> segments() const noexcept override { return pieces; }
+    std::span<const std::string_view> kinds() const noexcept override { return {}; }
+    std::uint64_t revision() const noexcept override { return 1; }
+};
+
+struct Hand final : Input {
+    InputEvents events;
+    const InputEvents& poll() noexcept override { return events; }
+    const InputEvents& latest() const noexcept override { return events; }
+    const char* key_list() const noexcept override { return ""; }
+};
+
+struct Stage {
+    Stage() {
+        host.scene_.name = "test";
+        host.set("size", std::vector<double>{64, 48});
+        host.set("exposure", 1.0);
+        host.set("camera.fov", 40.0);
+        host.set("thread.width", 0.2);
+        host.set("thread.color", Vec3{1, 1, 1});
+        host.set("thread.alpha", 1.0);
+        host.offer<Threads>(cross);
+        host.offer<Input>(hand);
+    }
+    std::span<const std::uint8_t> picture() {
+        REQUIRE(view.run());
+        return host.find<PictureSource>()->rgb();
+    }
+    Cross cross;
+    Hand hand;
+    test::FakeHost host;
+    test::LoadedModule canvas{"canvas_osmesa"};
+    test::LoadedModule view{"view"};
+};
+
+std::uint8_t red(std::span<const std::uint8_t> rgb, std::size_t width, std::size_t x, std::size_t y) {
+    return rgb[3 * (y * width + x)];
+}
+
+}  // namespace
+
+TEST_CASE("the view draws threads over the sky, framed when no camera is given", "[image]") {
+    Stage stage;
+    REQUIRE(stage.canvas.attach(stage.host));
+    REQUIRE(stage.view.attach(stage.host));
+    const auto rgb = stage.picture();
+    REQUIRE(rgb.size() == 64 * 48 * 3);
+    CHECK(red(rgb, 64, 32, 24) > 240);
+    CHECK(red(rgb, 64, 32, 3) > 200);  // the cross reaches nearly to the upper edge
+    CHECK(red(rgb, 64, 5, 5) < 120);   // plain sky
+    CHECK(stage.view.report().measures[0].first == "pictures");
+}
+
+TEST_CASE("the request's size overrides the scene's", "[unit]") {
+    Stage stage;
+    stage.host.request_.width = 50;
+    stage.host.request_.height = 30;
+    REQUIRE(stage.canvas.attach(stage.host));
+    REQUIRE(stage.view.attach(stage.host));
+    CHECK(stage.picture().size() == 50 * 30 * 3);
+}
+
+TEST_CASE("a hand on the mouse turns the picture, and C turns it back", "[image]") {
+    Stage stage;
+    REQUIRE(stage.canvas.attach(stage.host));
+    REQUIRE(stage.view.attach(stage.host));
+    const auto copy = [&] {
+        const auto rgb = stage.picture();
+        return std::vector<std::uint8_t>(rgb.begin(), rgb.end());
+    };
+    const auto first = copy();
+    stage.hand.events.orbit_x = 0.2;
+    stage.hand.events.zoom = -2;
+    const auto turned = copy();
+    stage.hand.events = {};
+    stage.hand.events.reset_camera = true;
+    CHECK(turned != first);
+    CHECK(copy() == first);
+}
+
+TEST_CASE("a camera inside its own target is a fault at its place in the scene", "[extreme]") {
+    Stage stage;
+    stage.host.set("camera.position", Vec3{1, 2, 3}, {"s.toml", 4, 1});
+    stage.host.set("camera.target", Vec3{1, 2, 3});
+    REQUIRE(stage.canvas.attach(stage.host));
+    REQUIRE(stage.view.attach(stage.host));
+    REQUIRE(stage.host.faults.size() == 1);
+    CHECK(to_string(stage.host.faults[0].where) == "s.toml:4:1");
+}
+
+TEST_CASE("a canvas that does not open ends the run in a sentence", "[extreme]") {
+    Stage stage;
+    stage.host.request_.width = 100000;
+    REQUIRE(stage.canvas.attach(stage.host));
+    REQUIRE_FALSE(stage.view.attach(stage.host));
+    CHECK(stage.view.fault.sentence.find("ask for a smaller --size") != std::string::npos);
+}

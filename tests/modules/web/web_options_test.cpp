@@ -1,0 +1,110 @@
+#include "web_options.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "plan/manifest.hpp"
+#include "plan/option_check.hpp"
+#include "sample_webs.hpp"
+#include "scene/toml_reader.hpp"
+
+using namespace orbweaver;
+using namespace orbweaver::web;
+
+namespace {
+
+const std::string kSource = ORBWEAVER_SOURCE_DIR;
+
+/// What the host hands to the module for this table.
+Options options_of(const std::string& table) {
+    Diagnostics faults;
+    const auto manifest = read_manifest(kSource + "/modules/web/manifest.toml", faults);
+    REQUIRE(manifest);
+    const AssetPaths paths{kSource + "/assets/scenes", {kSource + "/assets"}};
+    Options options = check_options(read_toml_text(table, "scene.toml"), manifest->options, paths, faults);
+    INFO((faults.empty() ? std::string() : to_string(faults.front())));
+    REQUIRE(faults.empty());
+    return options;
+}
+
+std::optional<Web> build(const std::string& table, Diagnostics& faults) {
+    return build_web(options_of(table), web::test::kGravity, RandomStream(1, "web"), faults);
+}
+
+const std::string kAnchors = "anchors = [[0.3, 0, 0], [0, 0.3, 0], [-0.3, 0, 0], [0, -0.3, 0]]\n";
+
+}  // namespace
+
+TEST_CASE("the manifest's defaults are the thesis's values", "[unit]") {
+    const Construction read = read_construction(options_of(kAnchors));
+    const Construction thesis;
+    CHECK(read.outer_frame.placement == thesis.outer_frame.placement);
+    CHECK(read.outer_frame.rest_length == thesis.outer_frame.rest_length);
+    CHECK(read.outer_frame.stiffness == thesis.outer_frame.stiffness);
+    CHECK(read.inner_frame.placement == thesis.inner_frame.placement);
+    CHECK(read.inner_frame.rest_length == thesis.inner_frame.rest_length);
+    CHECK(read.inner_frame.stiffness == thesis.inner_frame.stiffness);
+    CHECK(read.spokes.placement == thesis.spokes.placement);
+    CHECK(read.spokes.rest_length == thesis.spokes.rest_length);
+    CHECK(read.spokes.stiffness == thesis.spokes.stiffness);
+    CHECK(read.move_outer == thesis.move_outer);
+    CHECK(read.inward_pull == thesis.inward_pull);
+    CHECK(read.hub_radius == thesis.hub_radius);
+    CHECK(read.spiral_start == thesis.spiral_start);
+    CHECK(read.spiral_end == thesis.spiral_end);
+    CHECK(read.spiral_density == thesis.spiral_density);
+    const Silks silks = read_silks(options_of(kAnchors));
+    for (std::size_t k = 0; k < 5; ++k) {
+        CHECK(silks[k].tension == Approx(web::test::default_silks()[k].tension));
+        CHECK(silks[k].axial_stiffness == Approx(web::test::default_silks()[k].axial_stiffness));
+    }
+}
+
+TEST_CASE("a web is made of exactly one thing", "[unit]") {
+    struct Case {
+        const char* name;
+        std::string table;
+        std::string what;
+    };
+    const std::string strand = "strand = { from = [0, 0, 0], to = [1, 0, 0] }\n";
+    const std::string network = "network = \"../networks/diamond.json\"\n";
+    const std::vector<Case> cases = {
+        {"nothing", "", "the web has nothing to be made of"},
+        {"anchors and strand", kAnchors + strand, "the web has anchors and strand"},
+        {"anchors and network", kAnchors + network, "the web has anchors and network"},
+        {"all", kAnchors + network + strand, "the web has anchors and network and strand"},
+        {"half a strand", "strand = { from = [0, 0, 0] }", "the strand has only one end"},
+        {"two anchors", "anchors = [[0, 0, 0], [1, 0, 0]]", "the web has 2 anchors"},
+    };
+    for (const Case& c : cases) {
+        INFO(c.name);
+        Diagnostics faults;
+        CHECK_FALSE(build(c.table, faults));
+        REQUIRE(faults.size() == 1);
+        CHECK(faults[0].what == c.what);
+        CHECK(faults[0].where.file == "scene.toml");
+    }
+}
+
+TEST_CASE("each way to ask for a web gives one", "[unit]") {
+    for (const std::string& table :
+         {kAnchors, kAnchors + "prestress = \"over_extension\"", std::string("species = \"zilla_diodia\""),
+          std::string("network = \"../networks/diamond.json\""),
+          std::string("strand = { from = [0, 0, 0], to = [0.2, 0, 0] }")}) {
+        INFO(table);
+        Diagnostics faults;
+        const auto web = build(table, faults);
+        REQUIRE(web);
+        CHECK(mass_spring::validate(web->network, web->layout.positions).empty());
+        CHECK(mass_spring::count_parts(web->network) == 1);
+    }
+}
+
+TEST_CASE("springs are damped as asked, else as suits the way the web is made taut", "[unit]") {
+    const auto damping = [](const std::string& table) {
+        Diagnostics faults;
+        return build(kAnchors + table, faults)->network.springs.front().damping;
+    };
+    CHECK(damping("") == 1e-6);
+    CHECK(damping("prestress = \"over_extension\"") == 0);
+    CHECK(damping("damping = \"2e-7 N s/m\"") == 2e-7);
+}
