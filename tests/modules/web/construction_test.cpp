@@ -49,7 +49,7 @@ TEST_CASE("the same seed lays the same web and another seed another", "[unit]") 
 
 TEST_CASE("any anchors in general position give one sound web", "[extreme]") {
     std::size_t laid = 0;
-    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    for (std::uint64_t seed = 0; seed < 90; ++seed) {
         INFO("seed " << seed);
         Diagnostics faults;
         const auto site = survey(random_anchors(seed), std::nullopt, faults);
@@ -67,5 +67,5 @@ TEST_CASE("any anchors in general position give one sound web", "[extreme]") {
             find_form(layout, web::test::default_silks(), web::test::kMass, 0, web::test::kGravity);
         check_sound(layout, network);
     }
-    CHECK(laid > 200);
+    CHECK(laid > 60);
 }
