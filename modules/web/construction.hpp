@@ -21,11 +21,11 @@ struct Construction {
     StrandRule outer_frame{5e-3, 2e-3, 1e-3};
     StrandRule inner_frame{20e-3, 15e-3, 1e-3};
     StrandRule spokes{7e-3, 3e-3, 1e-2};
-    double move_outer = 50e-3;  ///< m, MOVE_OUTER: how far inner frame points lie inside their anchors
-    double inward_pull = 0.06;  ///< sag of a frame segment over its length
-    double hub_radius = 15e-3;  ///< m
-    double spiral_start = 0;    ///< m, from the frame
-    double spiral_end = 20e-3;  ///< m, from the hub
+    double move_outer = 50e-3;        ///< m, MOVE_OUTER: how far inner frame points lie inside their anchors
+    double inward_pull = 0.06;        ///< sag of a frame segment over its length
+    double hub_radius = 15e-3;        ///< m
+    double spiral_start = 0;          ///< m, from the frame
+    double spiral_end = 20e-3;        ///< m, from the hub
     std::int64_t spiral_density = 5;  ///< SPIRAL_DENSITY: masses of a spoke that may stay uncovered
     double irregularity = 0;          ///< of the spacing of masses, in [0, 1)
 };

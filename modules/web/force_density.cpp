@@ -50,7 +50,10 @@ public:
         matrix.setFromTriplets(entries_.begin(), entries_.end());
         const Eigen::SimplicialLDLT<SparseMatrix> factors(matrix);
         if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() <= 0)
-            throw Fault(FaultKind::invalid, "the web's form cannot be found: part of it hangs on no anchor");
+            throw Fault(
+                FaultKind::invalid,
+                "the web's form cannot be found: part of it hangs on no anchor, or its tensions are too far "
+                "apart");
         Eigen::MatrixX3d x = factors.solve(right_);
         x += factors.solve(right_ - matrix * x);  // one refinement: the residual is what a web starts with
         return x;

@@ -34,8 +34,8 @@ void lay_frame(const Site& site, const Construction& how, Jitter& jitter, Layout
     }
     for (std::size_t i = 0; i < inner.size(); ++i) {
         // Two pieces at least: a segment needs a middle mass for its primary spoke.
-        const std::vector<Index> segment = lay_strand(layout, inner[i], inner[(i + 1) % inner.size()], Kind::frame,
-                                                      how.inner_frame.placement, 2, jitter);
+        const std::vector<Index> segment = lay_strand(layout, inner[i], inner[(i + 1) % inner.size()],
+                                                      Kind::frame, how.inner_frame.placement, 2, jitter);
         pull_inward(site, how.inward_pull, segment, layout);
         layout.corners.push_back(layout.frame.size());
         layout.frame.insert(layout.frame.end(), segment.begin(), segment.end() - 1);

@@ -27,14 +27,14 @@ struct Piece {
 
 /// Where everything is laid, before anything pulls: plain data that each stage of the construction adds to.
 struct Layout {
-    std::vector<Vec3> positions;            ///< m, one per particle
-    std::vector<std::uint8_t> fixed;        ///< 1: the particle is an anchor
+    std::vector<Vec3> positions;      ///< m, one per particle
+    std::vector<std::uint8_t> fixed;  ///< 1: the particle is an anchor
     std::vector<Piece> pieces;
-    std::vector<Index> frame;               ///< inner frame masses in order around, counter-clockwise
-    std::vector<std::size_t> corners;       ///< positions in `frame` of the inner frame points
-    std::vector<std::vector<Index>> spokes; ///< each from its frame mass to its hub mass, both included
-    std::vector<Index> hub;                 ///< masses of the hub's ring, in order around
-    Vec3 center;                            ///< m, middle of the hub (of a strand: its middle)
+    std::vector<Index> frame;                ///< inner frame masses in order around, counter-clockwise
+    std::vector<std::size_t> corners;        ///< positions in `frame` of the inner frame points
+    std::vector<std::vector<Index>> spokes;  ///< each from its frame mass to its hub mass, both included
+    std::vector<Index> hub;                  ///< masses of the hub's ring, in order around
+    Vec3 center;                             ///< m, middle of the hub (of a strand: its middle)
     Plane plane;
 
     bool is_orb() const noexcept { return !spokes.empty(); }

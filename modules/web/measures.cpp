@@ -96,10 +96,12 @@ OrbMeasures measure_orb(const Layout& layout, std::span<const Vec3> positions) {
     }
     if (inner_count == 0) return measures;
     const double free_radius = inner_sum / inner_count;
-    measures.capture_area = std::numbers::pi * ((high.x - low.x) * (high.y - low.y) / 4 - free_radius * free_radius);
+    measures.capture_area =
+        std::numbers::pi * ((high.x - low.x) * (high.y - low.y) / 4 - free_radius * free_radius);
     measures.asymmetry = (-low.y - high.y) / (high.y - low.y);
     double quadrants = 0;
-    for (const PlanePoint direction : {PlanePoint{0, 1}, PlanePoint{0, -1}, PlanePoint{1, 0}, PlanePoint{-1, 0}}) {
+    for (const PlanePoint direction :
+         {PlanePoint{0, 1}, PlanePoint{0, -1}, PlanePoint{1, 0}, PlanePoint{-1, 0}}) {
         const Crossings* found = quadrant(crossings, directions, direction);
         if (found == nullptr) continue;
         measures.mesh_width += found->mesh();

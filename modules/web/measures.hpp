@@ -11,9 +11,9 @@ namespace orbweaver::web {
 
 /// What holds for any network of threads.
 struct ThreadMeasures {
-    double silk_length = 0;      ///< m, of all threads as they are
-    double total_mass = 0;       ///< kg
-    double max_strain = 0;       ///< largest (|l| - r)/r of the springs with a rest length
+    double silk_length = 0;         ///< m, of all threads as they are
+    double total_mass = 0;          ///< kg
+    double max_strain = 0;          ///< largest (|l| - r)/r of the springs with a rest length
     std::size_t slack_springs = 0;  ///< springs shorter than their rest length by more than 1e-12 of it
 };
 
@@ -21,10 +21,10 @@ struct ThreadMeasures {
 /// to up, down and the two sides.
 struct OrbMeasures {
     std::size_t radii = 0;
-    double spiral_turns = 0;   ///< mean number of spiral crossings of a spoke
-    double capture_area = 0;   ///< m^2, ellipse minus hub: pi (d_v/2)(d_h/2) - pi (H/2)^2
-    double mesh_width = 0;     ///< m, mean over the quadrants of (r_out - r_in)/(n - 1)
-    double asymmetry = 0;      ///< (low - up)/(low + up) of the capture area about the hub
+    double spiral_turns = 0;  ///< mean number of spiral crossings of a spoke
+    double capture_area = 0;  ///< m^2, ellipse minus hub: pi (d_v/2)(d_h/2) - pi (H/2)^2
+    double mesh_width = 0;    ///< m, mean over the quadrants of (r_out - r_in)/(n - 1)
+    double asymmetry = 0;     ///< (low - up)/(low + up) of the capture area about the hub
 };
 
 ThreadMeasures measure_threads(const mass_spring::Network& network, std::span<const Vec3> positions);

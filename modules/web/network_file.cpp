@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kDeepest = 3;                  // an object of arrays of arrays
+constexpr int kDeepest = 3;  // an object of arrays of arrays
 constexpr std::size_t kMostArrays = 4'000'000;
 constexpr std::size_t kMostFaults = 10;
 constexpr std::array<const char*, 4> kKeys = {"particles", "masses", "fixed", "springs"};
@@ -55,7 +55,8 @@ std::string show(const json& value) {
 std::optional<json> parse(const std::string& text, FaultList& faults) {
     std::size_t arrays = 0;
     const auto watch = [&](int depth, json::parse_event_t event, json&) {
-        if (event != json::parse_event_t::array_start && event != json::parse_event_t::object_start) return true;
+        if (event != json::parse_event_t::array_start && event != json::parse_event_t::object_start)
+            return true;
         if (depth >= kDeepest)
             throw Fault(FaultKind::invalid, fmt::format("arrays are nested more than {} deep", kDeepest));
         if (++arrays > kMostArrays)
@@ -68,7 +69,8 @@ std::optional<json> parse(const std::string& text, FaultList& faults) {
         const std::string before = text.substr(0, error.byte == 0 ? 0 : error.byte - 1);
         const auto lines = std::count(before.begin(), before.end(), '\n');
         const std::size_t line_start = before.rfind('\n') == std::string::npos ? 0 : before.rfind('\n') + 1;
-        faults.add(fmt::format("line {}, column {} is not JSON", lines + 1, before.size() - line_start + 1), kForm);
+        faults.add(fmt::format("line {}, column {} is not JSON", lines + 1, before.size() - line_start + 1),
+                   kForm);
     } catch (const json::out_of_range&) {
         faults.add("a number is too large for a double", "finite numbers");
     } catch (const Fault& fault) {
@@ -117,8 +119,10 @@ private:
         if (rows->empty()) faults_.add("particles is empty", "at least one [x, y, z]");
         for (std::size_t i = 0; i < rows->size(); ++i) {
             const json& row = (*rows)[i];
-            if (are_numbers(row, 3)) add_particle(web_.layout, {row[0], row[1], row[2]}, false);
-            else faults_.add(fmt::format("particles[{}] is {}", i, show(row)), "[x, y, z] in m");
+            if (are_numbers(row, 3))
+                add_particle(web_.layout, {row[0], row[1], row[2]}, false);
+            else
+                faults_.add(fmt::format("particles[{}] is {}", i, show(row)), "[x, y, z] in m");
         }
     }
 
@@ -136,8 +140,10 @@ private:
             faults_.add(fmt::format("masses has {} elements for {} particles", values->size(), count),
                         "one mass in kg each, or one number for all");
         for (std::size_t i = 0; i < values->size(); ++i) {
-            if ((*values)[i].is_number()) mass.push_back((*values)[i]);
-            else faults_.add(fmt::format("masses[{}] is {}", i, show((*values)[i])), "a mass in kg");
+            if ((*values)[i].is_number())
+                mass.push_back((*values)[i]);
+            else
+                faults_.add(fmt::format("masses[{}] is {}", i, show((*values)[i])), "a mass in kg");
         }
     }
 
@@ -166,7 +172,8 @@ private:
             const json& row = (*rows)[i];
             const std::string where = fmt::format("springs[{}]", i);
             if (!are_numbers(row, 5)) {
-                faults_.add(fmt::format("{} is {}", where, show(row)), "[i, j, rest_length, stiffness, damping]");
+                faults_.add(fmt::format("{} is {}", where, show(row)),
+                            "[i, j, rest_length, stiffness, damping]");
                 continue;
             }
             const auto a = index(row[0], where);
@@ -190,15 +197,18 @@ void check_keys(const json& root, FaultList& faults) {
 
 void check_soundness(const Web& web, FaultList& faults) {
     for (const mass_spring::NetworkFault& fault : mass_spring::validate(web.network, web.layout.positions)) {
-        const char* element = fault.element == mass_spring::NetworkFault::Element::spring ? "springs" : "particles";
-        if (fault.element == mass_spring::NetworkFault::Element::network) faults.add(fault.sentence, "");
-        else faults.add(fmt::format("{}[{}]: {}", element, fault.index, fault.sentence), "");
+        const char* element =
+            fault.element == mass_spring::NetworkFault::Element::spring ? "springs" : "particles";
+        if (fault.element == mass_spring::NetworkFault::Element::network)
+            faults.add(fault.sentence, "");
+        else
+            faults.add(fmt::format("{}[{}]: {}", element, fault.index, fault.sentence), "");
     }
     if (!faults.empty()) return;
     const std::size_t parts = mass_spring::count_parts(web.network);
     if (parts > 1)
-        faults.add(fmt::format("the network is in {} parts that no spring joins", parts), "one connected network",
-                   "join them, or give each a file and a [[web]] of its own");
+        faults.add(fmt::format("the network is in {} parts that no spring joins", parts),
+                   "one connected network", "join them, or give each a file and a [[web]] of its own");
 }
 
 void find_middle(Layout& layout) {
@@ -231,8 +241,8 @@ std::optional<Web> read_network(const std::string& path, Diagnostics& faults) {
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);
     if (!error && size > kLargestNetworkFile)
-        throw Fault(FaultKind::limit, fmt::format("{} has {} bytes; network files of at most {} are read", path, size,
-                                                  kLargestNetworkFile));
+        throw Fault(FaultKind::limit, fmt::format("{} has {} bytes; network files of at most {} are read", path,
+                                                  size, kLargestNetworkFile));
     std::ifstream file(path, std::ios::binary);
     std::string text(error ? 0 : size, '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));

@@ -6,9 +6,12 @@ namespace {
 
 const StrandRule& rule_of(Kind kind, const Construction& how) {
     switch (kind) {
-        case Kind::anchor: return how.outer_frame;
-        case Kind::frame: return how.inner_frame;
-        default: return how.spokes;
+        case Kind::anchor:
+            return how.outer_frame;
+        case Kind::frame:
+            return how.inner_frame;
+        default:
+            return how.spokes;
     }
 }
 

@@ -24,9 +24,7 @@ struct Plane {
     Vec3 up{0, 1, 0};
     Vec3 normal{0, 0, 1};
 
-    PlanePoint project(const Vec3& p) const noexcept {
-        return {dot(p - origin, across), dot(p - origin, up)};
-    }
+    PlanePoint project(const Vec3& p) const noexcept { return {dot(p - origin, across), dot(p - origin, up)}; }
     Vec3 lift(const PlanePoint& p) const noexcept { return origin + across * p.x + up * p.y; }
 };
 

@@ -32,7 +32,8 @@ bool check_values(std::span<const Vec3> anchors, Diagnostics& faults) {
     }
     const std::size_t before = faults.size();
     for (std::size_t i = 0; i < anchors.size(); ++i)
-        if (!is_finite(anchors[i])) report(faults, show(anchors, i) + " is not a point", "finite coordinates", "");
+        if (!is_finite(anchors[i]))
+            report(faults, show(anchors, i) + " is not a point", "finite coordinates", "");
     return faults.size() == before;
 }
 
@@ -131,15 +132,31 @@ PlanePoint choose_center(const Polygon& polygon) {
     return view_from(centroid, polygon).clearance > view_from(middle, polygon).clearance ? centroid : middle;
 }
 
-bool check_center(const Vec3& center, const View& view, std::span<const Vec3> anchors, Diagnostics& faults) {
+/// The sides of `polygon` by the scene's numbering of its anchors.
+class Numbering {
+public:
+    Numbering(std::size_t count, bool turned) noexcept : count_(count), turned_(turned) {}
+    std::size_t of(std::size_t i) const noexcept {
+        i %= count_;
+        return turned_ && i != 0 ? count_ - i : i;
+    }
+
+private:
+    std::size_t count_;
+    bool turned_;
+};
+
+bool check_center(const Vec3& center, const View& view, std::span<const Vec3> anchors,
+                  const Numbering& numbering, Diagnostics& faults) {
     constexpr double kLeast = 0.02;
     if (view.clearance >= kLeast) return true;
-    report(faults,
-           fmt::format("the web's center at ({:.6g}, {:.6g}, {:.6g}) m does not see the frame thread from {} to "
-                       "anchor {} from inside",
-                       center.x, center.y, center.z, show(anchors, view.side),
-                       (view.side + 1) % anchors.size() + 1),
-           "anchors all around the center", "move those anchors outwards, or choose another 'center'");
+    const auto [first, second] = std::minmax({numbering.of(view.side), numbering.of(view.side + 1)});
+    report(
+        faults,
+        fmt::format("the web's center at ({:.6g}, {:.6g}, {:.6g}) m does not see the frame thread from {} to "
+                    "anchor {} from inside",
+                    center.x, center.y, center.z, show(anchors, first), second + 1),
+        "anchors all around the center", "move those anchors outwards, or choose another 'center'");
     return false;
 }
 
@@ -159,7 +176,8 @@ std::optional<Site> survey(std::span<const Vec3> anchors, std::optional<Vec3> ce
 
     Site site;
     site.anchors.assign(anchors.begin(), anchors.end());
-    if (twice_area(polygon) < 0) {
+    const bool turned = twice_area(polygon) < 0;
+    if (turned) {
         std::reverse(polygon.begin() + 1, polygon.end());
         std::reverse(site.anchors.begin() + 1, site.anchors.end());
     }
@@ -168,7 +186,8 @@ std::optional<Site> survey(std::span<const Vec3> anchors, std::optional<Vec3> ce
     site.center = center ? *center : fit.plane.lift(middle);
     site.plane = fit.plane;
     site.plane.origin = site.center;
-    if (!check_center(site.center, view_from(middle, polygon), site.anchors, faults)) return std::nullopt;
+    const Numbering numbering(anchors.size(), turned);
+    if (!check_center(site.center, view_from(middle, polygon), anchors, numbering, faults)) return std::nullopt;
     return site;
 }
 

@@ -86,7 +86,8 @@ Vec3 hub_center(const Site& site, const Layout& layout, std::span<const Chord> c
 
 double hub_radius(const Layout& layout, double asked) {
     double nearest = asked / kLargestHub;
-    for (const Index i : layout.frame) nearest = std::min(nearest, distance(layout.center, layout.positions[i]));
+    for (const Index i : layout.frame)
+        nearest = std::min(nearest, distance(layout.center, layout.positions[i]));
     return nearest * kLargestHub;
 }
 
@@ -104,9 +105,12 @@ Arms lay_hub_masses(std::span<const Chord> chords, double radius, Layout& layout
     for (const std::size_t place : places) {
         const Vec3 way = layout.positions[layout.frame[place]] - layout.center;
         const Vec3 p = layout.center + way * (radius / norm(way));
-        if (!layout.hub.empty() && is_near(p, layout.hub.back())) arms[place] = layout.hub.back();
-        else if (!layout.hub.empty() && is_near(p, layout.hub.front())) arms[place] = layout.hub.front();
-        else layout.hub.push_back(arms[place] = add_particle(layout, p, false));
+        if (!layout.hub.empty() && is_near(p, layout.hub.back()))
+            arms[place] = layout.hub.back();
+        else if (!layout.hub.empty() && is_near(p, layout.hub.front()))
+            arms[place] = layout.hub.front();
+        else
+            layout.hub.push_back(arms[place] = add_particle(layout, p, false));
     }
     return arms;
 }

@@ -107,8 +107,8 @@ private:
         settings.owner = host.instance_name();
         settings.describe_spring = [this](std::size_t i) { return describe_spring(i); };
         settings.warn = [&host](const std::string& sentence) { host.log(LogLevel::warning, sentence); };
-        simulation_ = std::make_unique<mass_spring::Simulation>(*system_, settings, host.scene().step, position_,
-                                                                velocity_, substep_);
+        simulation_ = std::make_unique<mass_spring::Simulation>(*system_, settings, host.scene().step,
+                                                                position_, velocity_, substep_);
         host.telemetry("energy_j", "J", &energy_);
         host.telemetry("kinetic_energy_j", "J", &kinetic_energy_);
         host.telemetry("max_strain", "1", &max_strain_);
@@ -117,20 +117,22 @@ private:
     /// To a thousandth of a particle's weight, beyond which nothing can be seen to move.
     void settle(Host& host) {
         constexpr std::size_t kMostIterations = 200'000;
-        const double mean_mass = measure_threads(web_.network, position_).total_mass /
-                                 static_cast<double>(web_.network.size());
+        const double mean_mass =
+            measure_threads(web_.network, position_).total_mass / static_cast<double>(web_.network.size());
         const double tolerance = 1e-3 * 9.81 * mean_mass;
         const auto found = mass_spring::relax(*system_, position_, tolerance, kMostIterations);
         if (!found.converged)
-            host.log(LogLevel::warning,
-                     fmt::format("{} did not come to rest: after {} iterations {:.3g} N are left of the {:.3g} N "
-                                 "sought; it starts moving",
-                                 host.instance_name(), found.iterations, found.residual, tolerance));
+            host.log(
+                LogLevel::warning,
+                fmt::format("{} did not come to rest: after {} iterations {:.3g} N are left of the {:.3g} N "
+                            "sought; it starts moving",
+                            host.instance_name(), found.iterations, found.residual, tolerance));
     }
 
     void sense(const Frame& frame) {
         wind_->sample({frame.time, position_, web_.layout.center, radius_}, air_velocity_, external_);
-        for (std::size_t i = 0; i < external_.size(); ++i) external_[i] += surroundings_.drag * air_velocity_[i];
+        for (std::size_t i = 0; i < external_.size(); ++i)
+            external_[i] += surroundings_.drag * air_velocity_[i];
     }
 
     void derive() {
@@ -174,7 +176,8 @@ private:
     }
 
     std::size_t memory_bytes() const {
-        return system_->memory_bytes() + simulation_->memory_bytes() + segments_.size() * sizeof(ThreadSegment) +
+        return system_->memory_bytes() + simulation_->memory_bytes() +
+               segments_.size() * sizeof(ThreadSegment) +
                web_.layout.pieces.size() * (sizeof(Piece) + sizeof(mass_spring::Spring)) +
                web_.network.size() * (sizeof(double) + sizeof(Vec3)) +
                (air_velocity_.size() + external_.size()) * sizeof(Vec3);
@@ -182,9 +185,9 @@ private:
 
     Web web_;
     std::vector<ThreadSegment> segments_;
-    std::span<Vec3> position_;    // state, m
-    std::span<Vec3> velocity_;    // state, m/s
-    std::span<double> substep_;   // state, s
+    std::span<Vec3> position_;   // state, m
+    std::span<Vec3> velocity_;   // state, m/s
+    std::span<double> substep_;  // state, s
     std::unique_ptr<mass_spring::SpringSystem> system_;
     std::unique_ptr<mass_spring::Simulation> simulation_;
     mass_spring::Surroundings surroundings_;

@@ -45,6 +45,17 @@ std::optional<Web> build_orb(const Options& options, const Vec3& gravity, const 
     return web;
 }
 
+/// Extreme lengths, masses or tensions can leave the range of doubles: such a web must not start to move.
+bool check_sound(const Web& web, Diagnostics& faults) {
+    const auto found = mass_spring::validate(web.network, web.layout.positions);
+    if (found.empty()) return true;
+    faults.push_back({{},
+                      "the web cannot be built: " + found.front().sentence,
+                      "",
+                      "choose lengths, masses and tensions nearer to those of webs"});
+    return false;
+}
+
 std::optional<Web> build_strand(const Options& options, Diagnostics& faults) {
     if (!options.has("strand.from") || !options.has("strand.to")) {
         faults.push_back({{}, "the strand has only one end", "strand.from and strand.to", ""});
@@ -104,9 +115,13 @@ std::optional<Web> build_web(const Options& options, const Vec3& gravity, const 
         return std::nullopt;
     }
     std::optional<Web> web;
-    if (source == strand) web = build_strand(options, faults);
-    else if (options.has("network")) web = read_network(options.text("network"), faults);
-    else web = build_orb(options, gravity, irregularity, faults);
+    if (source == strand)
+        web = build_strand(options, faults);
+    else if (options.has("network"))
+        web = read_network(options.text("network"), faults);
+    else
+        web = build_orb(options, gravity, irregularity, faults);
+    if (web && !check_sound(*web, faults)) web.reset();
     place(faults, first, options.where(source));
     return web;
 }

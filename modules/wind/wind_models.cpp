@@ -34,7 +34,8 @@ Vec3 ThesisWind::wind_vector(double time) const noexcept {
     return {random * wave, random * wave, -wave};
 }
 
-void ThesisWind::sample(const WindQuery& query, std::span<Vec3> velocity, std::span<Vec3> force) const noexcept {
+void ThesisWind::sample(const WindQuery& query, std::span<Vec3> velocity,
+                        std::span<Vec3> force) const noexcept {
     const Vec3 wind = wind_vector(query.time);
     const double alpha = kRadiiPerAlpha * query.radius;
     for (std::size_t i = 0; i < force.size(); ++i) {

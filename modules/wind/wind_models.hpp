@@ -8,14 +8,16 @@ namespace orbweaver::wind {
 /// Air at rest.
 class CalmWind final : public WindField {
 public:
-    void sample(const WindQuery& query, std::span<Vec3> velocity, std::span<Vec3> force) const noexcept override;
+    void sample(const WindQuery& query, std::span<Vec3> velocity,
+                std::span<Vec3> force) const noexcept override;
 };
 
 /// The same velocity (m/s) everywhere and always.
 class SteadyWind final : public WindField {
 public:
     explicit SteadyWind(const Vec3& velocity) noexcept : velocity_(velocity) {}
-    void sample(const WindQuery& query, std::span<Vec3> velocity, std::span<Vec3> force) const noexcept override;
+    void sample(const WindQuery& query, std::span<Vec3> velocity,
+                std::span<Vec3> force) const noexcept override;
 
 private:
     Vec3 velocity_;
@@ -30,13 +32,14 @@ class ThesisWind final : public WindField {
 public:
     ThesisWind(double strength, double degrees_per_second, const RandomStream& stream) noexcept
         : strength_(strength), degrees_per_second_(degrees_per_second), stream_(stream) {}
-    void sample(const WindQuery& query, std::span<Vec3> velocity, std::span<Vec3> force) const noexcept override;
+    void sample(const WindQuery& query, std::span<Vec3> velocity,
+                std::span<Vec3> force) const noexcept override;
 
     /// wind_vector of the figure, N.
     Vec3 wind_vector(double time) const noexcept;
 
 private:
-    double strength_;            // N
+    double strength_;  // N
     double degrees_per_second_;
     RandomStream stream_;
 };

@@ -26,8 +26,8 @@ private:
         } else if (name == "steady" && options.has("velocity")) {
             model_ = SteadyWind(options.vector("velocity"));
         } else if (name == "steady") {
-            host.report_fault({options.where("model"), "a steady wind has no velocity", "velocity = [x, y, z] in m/s",
-                               "add 'velocity' to [wind]"});
+            host.report_fault({options.where("model"), "a steady wind has no velocity",
+                               "velocity = [x, y, z] in m/s", "add 'velocity' to [wind]"});
         }
     }
 

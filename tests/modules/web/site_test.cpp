@@ -59,6 +59,12 @@ TEST_CASE("unsound anchors are refused in words", "[unit]") {
          "the web's center at (2, 2, 0) m does not see the frame thread from anchor 2 at (1, 0, 0) m to anchor "
          "3 from inside; expected anchors all around the center; move those anchors outwards, or choose "
          "another 'center'"},
+        {"center outside, anchors clockwise",
+         {{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}},
+         Vec3{2, 0.5, 0},
+         "the web's center at (2, 0.5, 0) m does not see the frame thread from anchor 3 at (1, 1, 0) m to "
+         "anchor 4 from inside; expected anchors all around the center; move those anchors outwards, or choose "
+         "another 'center'"},
     };
     for (const Case& c : cases) {
         INFO(c.name);

@@ -108,3 +108,10 @@ TEST_CASE("springs are damped as asked, else as suits the way the web is made ta
     CHECK(damping("prestress = \"over_extension\"") == 0);
     CHECK(damping("damping = \"2e-7 N s/m\"") == 2e-7);
 }
+
+TEST_CASE("a web beyond the range of doubles is refused before it moves", "[extreme]") {
+    Diagnostics faults;
+    CHECK_FALSE(build(kAnchors + "axial_stiffness = { radius = 1e-314 }", faults));
+    REQUIRE(faults.size() == 1);
+    CHECK_THAT(faults[0].what, Catch::StartsWith("the web cannot be built: "));
+}

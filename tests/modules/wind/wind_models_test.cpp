@@ -17,7 +17,8 @@ struct Sample {
 };
 
 Sample sample(const WindField& field, double time, const std::vector<Vec3>& positions, double radius = 0.3) {
-    Sample found{std::vector<Vec3>(positions.size(), Vec3{9, 9, 9}), std::vector<Vec3>(positions.size(), Vec3{9, 9, 9})};
+    Sample found{std::vector<Vec3>(positions.size(), Vec3{9, 9, 9}),
+                 std::vector<Vec3>(positions.size(), Vec3{9, 9, 9})};
     field.sample({time, positions, {0, 0, 0}, radius}, found.velocity, found.force);
     return found;
 }
@@ -76,8 +77,8 @@ TEST_CASE("a new random number comes every fifty degrees, and stays within three
 TEST_CASE("the angle advances by one degree every 0.02 s, whatever the rounding of time", "[unit]") {
     const ThesisWind field = thesis_wind();
     for (int n = 1; n < 2000; ++n) {
-        const double early = n * 0.02;              // frames of 0.02 s
-        const double late = n * 0.02 + 0.0199;      // just before the next degree
+        const double early = n * 0.02;          // frames of 0.02 s
+        const double late = n * 0.02 + 0.0199;  // just before the next degree
         CHECK(field.wind_vector(early) == field.wind_vector(late));
     }
 }
@@ -99,5 +100,6 @@ TEST_CASE("a body without extent feels the bare wind", "[unit]") {
 
 TEST_CASE("the same time gives the same wind, another seed another", "[unit]") {
     CHECK(thesis_wind().wind_vector(12.3) == thesis_wind().wind_vector(12.3));
-    CHECK(ThesisWind(kStrength, 50, RandomStream(8, "wind/direction")).wind_vector(1.8) != thesis_wind().wind_vector(1.8));
+    CHECK(ThesisWind(kStrength, 50, RandomStream(8, "wind/direction")).wind_vector(1.8) !=
+          thesis_wind().wind_vector(1.8));
 }
