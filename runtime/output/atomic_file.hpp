@@ -7,7 +7,7 @@
 
 namespace orbweaver {
 
-/// A file that appears under its name only when it is whole: written beside it as "<name>.partial", synced
+/// A file that appears under its name only when it is whole: written beside it as "<name>.partial", moved
 /// to its name by commit(), removed if that never comes. Every failure throws Fault: limit when the disk or
 /// a quota is full, internal otherwise.
 class AtomicFile {
