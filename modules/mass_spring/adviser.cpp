@@ -20,9 +20,10 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 class Oscillator final : public DynamicSystem {
 public:
     Oscillator(double omega, double mu) noexcept : squared_(omega * omega), mu_(mu) {}
-    std::size_t size() const noexcept override { return 1; }
-    void accelerations(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> a) noexcept override {
-        a[0] = -squared_ * x[0] - mu_ * v[0];
+    std::size_t length() const noexcept override { return 2; }
+    void accelerations(std::span<const double> x, std::span<const double> v,
+                       std::span<double> a) noexcept override {
+        for (std::size_t i = 0; i < 2; ++i) a[i] = -squared_ * x[i] - mu_ * v[i];
     }
 
 private:
@@ -34,11 +35,11 @@ private:
 /// |trace| <= 1 + det, which needs no square root of a cancelling difference.
 bool is_stable(Method& method, Oscillator& oscillator, double h) noexcept {
     constexpr double kRounding = 1e-14;
-    std::array<Vec3, 1> q{Vec3{1, 0, 0}};
-    std::array<Vec3, 1> p{Vec3{0, 1, 0}};
+    std::array<double, 2> q{1, 0};
+    std::array<double, 2> p{0, 1};
     method.step(oscillator, q, p, h);
-    const double determinant = q[0].x * p[0].y - q[0].y * p[0].x;
-    const double trace = q[0].x + p[0].y;
+    const double determinant = q[0] * p[1] - q[1] * p[0];
+    const double trace = q[0] + p[1];
     return std::abs(determinant) <= 1 + kRounding && std::abs(trace) <= 1 + determinant + kRounding;
 }
 
@@ -180,7 +181,7 @@ double stability_limit(const MethodInfo& method, double angular_frequency, doubl
     constexpr double kGrowth = 1.05;
     const double rate = std::max(angular_frequency, damping_rate);
     if (rate == 0) return kInfinite;
-    const auto stepper = method.make(1);
+    const auto stepper = method.make(2);
     Oscillator oscillator(angular_frequency / rate, damping_rate / rate);
     if (!is_stable(*stepper, oscillator, kFirst)) return 0;
     double stable = kFirst;

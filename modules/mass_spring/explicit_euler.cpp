@@ -6,9 +6,9 @@ namespace {
 /// x += h v, v += h a(x, v), both from the step's start.
 class ExplicitEuler final : public Method {
 public:
-    explicit ExplicitEuler(std::size_t particles) : a_(particles) {}
+    explicit ExplicitEuler(std::size_t length) : a_(length) {}
 
-    void step(DynamicSystem& system, std::span<Vec3> x, std::span<Vec3> v, double h) noexcept override {
+    void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) noexcept override {
         system.accelerations(x, v, a_);
         for (std::size_t i = 0; i < x.size(); ++i) {
             x[i] += h * v[i];
@@ -16,16 +16,16 @@ public:
         }
     }
 
-    std::size_t memory_bytes() const noexcept override { return a_.capacity() * sizeof(Vec3); }
+    std::size_t memory_bytes() const noexcept override { return a_.capacity() * sizeof(double); }
 
 private:
-    std::vector<Vec3> a_;
+    std::vector<double> a_;
 };
 
 }  // namespace
 
-std::unique_ptr<Method> make_explicit_euler(std::size_t particles) {
-    return std::make_unique<ExplicitEuler>(particles);
+std::unique_ptr<Method> make_explicit_euler(std::size_t length) {
+    return std::make_unique<ExplicitEuler>(length);
 }
 
 }  // namespace orbweaver::mass_spring

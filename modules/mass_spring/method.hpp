@@ -12,8 +12,8 @@ namespace orbweaver::mass_spring {
 class Method {
 public:
     virtual ~Method() = default;
-    /// Advances x (m) and v (m/s) in place by h seconds.
-    virtual void step(DynamicSystem& system, std::span<Vec3> x, std::span<Vec3> v, double h) noexcept = 0;
+    /// Advances x and v, of system.length() numbers each, in place by h seconds.
+    virtual void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) noexcept = 0;
     virtual std::size_t memory_bytes() const noexcept = 0;  ///< of the scratch
 };
 
@@ -22,7 +22,7 @@ struct MethodInfo {
     std::string_view name;  ///< as scenes write it
     int order = 0;          ///< of global convergence
     int evaluations = 0;    ///< of the forces, per step
-    std::unique_ptr<Method> (*make)(std::size_t particles);
+    std::unique_ptr<Method> (*make)(std::size_t length);
 };
 
 /// Every method there is, in the order documents list them.

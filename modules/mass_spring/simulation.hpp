@@ -2,13 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "adviser.hpp"
 #include "error_meter.hpp"
+#include "integrator.hpp"
 #include "method.hpp"
 #include "simulation_settings.hpp"
 #include "spring_system.hpp"
@@ -65,7 +65,7 @@ private:
     std::span<Vec3> x_, v_;
     std::span<double> memory_;
     double substep_ = 0;  ///< in use when there is no memory_
-    std::unique_ptr<Method> method_;
+    Integrator integrator_;
     Watch watch_;
     ErrorMeter error_;
     Advice advice_;

@@ -1,76 +1,110 @@
 #include "spring_kernel.hpp"
 
+#include "lanes.hpp"
 #include "spring_force.hpp"
 
 namespace orbweaver::mass_spring {
 namespace {
 
-void plain_pulls(const SpringTable& table, const KernelInput& input, std::size_t begin, std::size_t end,
-                 PaddedVec3* pull) noexcept {
+/// See pull_factor() for the arithmetic, which is the same.
+template <bool damped>
+ORBWEAVER_INLINE void pulls(const SpringTable& table, const KernelInput& input, std::size_t begin,
+                            std::size_t end, double* pull) noexcept {
+    const std::size_t plane = table.packing.plane();
     for (std::size_t i = begin; i < end; ++i) {
-        const std::uint32_t a = table.a[i];
-        const std::uint32_t b = table.b[i];
-        const Vec3 l = input.x[a] - input.x[b];
-        const Vec3 dl = input.v[a] - input.v[b];
-        const Vec3 f = l * pull_factor(l, dl, table.rest_length[i], table.stiffness[i], table.damping[i]);
-        pull[2 * i] = {f.x, f.y, f.z, 0};
-        pull[2 * i + 1] = {-f.x, -f.y, -f.z, 0};
+        const SpringTable::Quad& quad = table.quads[i];
+        const Vec3Lanes l = load(input.x + quad.a, plane) - load(input.x + quad.b, plane);
+        const Lanes length = sqrt(dot(l, l));
+        const Lanes inverse = 1 / (length + kNoLength);
+        Lanes force = load(quad.stiffness.data()) * (length - load(quad.rest_length.data()));
+        if constexpr (damped) {
+            const Vec3Lanes dl = load(input.v + quad.a, plane) - load(input.v + quad.b, plane);
+            force += load(table.damping[i].data()) * dot(l, dl) * inverse;
+        }
+        store(pull + quad.slot, table.slots, l * (force * inverse));
     }
 }
 
-void plain_accelerations(const SpringTable& table, const KernelInput& input, const PaddedVec3* pull,
-                         std::size_t begin, std::size_t end, Vec3* a) noexcept {
-    for (std::size_t i = begin; i < end; ++i) {
-        if (table.inverse_mass[i] == 0) {
-            a[i] = {};
-            continue;
-        }
-        Vec3 sum;
-        for (std::uint32_t e = table.first[i]; e < table.first[i + 1]; ++e) {
-            const PaddedVec3& f = pull[table.incident[e]];
-            sum += Vec3{f.x, f.y, f.z};
-        }
-        if (input.external != nullptr) sum += input.external[i];
-        sum -= input.drag * input.v[i];
-        a[i] = sum * table.inverse_mass[i] + input.gravity;
+ORBWEAVER_INLINE void any_pulls(const SpringTable& table, const KernelInput& input, std::size_t begin,
+                                std::size_t end, double* pull) noexcept {
+    if (!table.damping.empty()) {
+        pulls<true>(table, input, begin, end, pull);
+    } else {
+        pulls<false>(table, input, begin, end, pull);
     }
 }
+
+/// Zero in the lanes whose bit is set.
+ORBWEAVER_INLINE void hold(std::uint32_t lanes, Vec3Lanes& v) noexcept {
+    for (std::size_t j = 0; j < Packing::kLanes; ++j) {
+        if ((lanes >> j & 1) != 0) v.x[j] = v.y[j] = v.z[j] = 0;
+    }
+}
+
+ORBWEAVER_INLINE void block_accelerations(const SpringTable& table, const KernelInput& input,
+                                          const double* pull, std::size_t begin, std::size_t end,
+                                          double* a) noexcept {
+    const std::size_t plane = table.packing.plane();
+    const std::uint32_t* slot = table.incident.data();
+    const Vec3Lanes gravity{Lanes{} + input.gravity.x, Lanes{} + input.gravity.y, Lanes{} + input.gravity.z};
+    const Lanes drag = Lanes{} + input.drag;
+    for (std::size_t i = begin; i < end; ++i) {
+        const SpringTable::Block block = table.blocks[i];
+        const std::size_t particle = i * Packing::kLanes;
+        Vec3Lanes sum{};
+        for (std::uint32_t e = block.first; e < block.first_as_b; ++e)
+            sum = sum - load(pull + slot[e], table.slots);
+        for (std::uint32_t e = block.first_as_b; e < block.end; ++e)
+            sum = sum + load(pull + slot[e], table.slots);
+        if (input.external != nullptr) sum = sum + load(input.external + particle, plane);
+        sum = sum - load(input.v + particle, plane) * drag;
+        Vec3Lanes result = sum * load(&table.inverse_mass[particle]) + gravity;
+        if (block.held != 0) hold(block.held, result);
+        store(a + particle, plane, result);
+    }
+}
+
+void plain_pulls(const SpringTable& table, const KernelInput& input, std::size_t begin, std::size_t end,
+                 double* pull) noexcept {
+    any_pulls(table, input, begin, end, pull);
+}
+
+void plain_accelerations(const SpringTable& table, const KernelInput& input, const double* pull,
+                         std::size_t begin, std::size_t end, double* a) noexcept {
+    block_accelerations(table, input, pull, begin, end, a);
+}
+
+#if defined(__x86_64__)
+
+// Without FMA: a fused multiply-add rounds once where the plain kernel rounds twice.
+#define ORBWEAVER_AVX2 __attribute__((target("avx2")))
+
+ORBWEAVER_AVX2 void avx2_pulls(const SpringTable& table, const KernelInput& input, std::size_t begin,
+                               std::size_t end, double* pull) noexcept {
+    any_pulls(table, input, begin, end, pull);
+}
+
+ORBWEAVER_AVX2 void avx2_accelerations(const SpringTable& table, const KernelInput& input, const double* pull,
+                                       std::size_t begin, std::size_t end, double* a) noexcept {
+    block_accelerations(table, input, pull, begin, end, a);
+}
+
+#endif
 
 }  // namespace
-
-SpringTable::SpringTable(const Network& network) : first(network.size() + 1), inverse_mass(network.size()) {
-    for (const Spring& spring : network.springs) {
-        a.push_back(spring.a);
-        b.push_back(spring.b);
-        rest_length.push_back(spring.rest_length);
-        stiffness.push_back(spring.stiffness);
-        damping.push_back(spring.damping);
-        damped = damped || spring.damping > 0;
-        ++first[spring.a + 1];
-        ++first[spring.b + 1];
-    }
-    for (std::size_t i = 0; i < network.size(); ++i) {
-        const std::uint32_t padded = (first[i + 1] + kGroup - 1) / kGroup * kGroup;
-        first[i + 1] = first[i] + padded;
-        inverse_mass[i] = network.fixed[i] != 0 ? 0 : 1 / network.mass[i];
-    }
-    incident.assign(first.back(), static_cast<std::uint32_t>(2 * springs()));
-    std::vector<std::uint32_t> next = first;
-    for (std::uint32_t i = 0; i < springs(); ++i) {
-        incident[next[a[i]]++] = 2 * i + 1;
-        incident[next[b[i]]++] = 2 * i;
-    }
-}
-
-std::size_t SpringTable::memory_bytes() const noexcept {
-    return (a.capacity() + b.capacity() + first.capacity() + incident.capacity()) * sizeof(std::uint32_t) +
-           (rest_length.capacity() + stiffness.capacity() + damping.capacity() + inverse_mass.capacity()) *
-               sizeof(double);
-}
 
 const SpringKernels& plain_kernels() noexcept {
     static constexpr SpringKernels kernels{plain_pulls, plain_accelerations};
     return kernels;
+}
+
+const SpringKernels* avx2_kernels() noexcept {
+#if defined(__x86_64__)
+    static constexpr SpringKernels kernels{avx2_pulls, avx2_accelerations};
+    return __builtin_cpu_supports("avx2") != 0 ? &kernels : nullptr;
+#else
+    return nullptr;
+#endif
 }
 
 const SpringKernels& best_kernels() noexcept {

@@ -7,7 +7,7 @@ namespace {
 
 // Below this many springs an evaluation is shorter than waking a second thread twice.
 constexpr std::size_t kSpringsWorthSharing = 8192;
-constexpr std::size_t kGrain = 2048;
+constexpr std::size_t kGrain = 512;  // quads or blocks
 
 }  // namespace
 
@@ -16,37 +16,46 @@ SpringSystem::SpringSystem(const Network& network, Workers* workers)
       workers_(network.springs.size() >= kSpringsWorthSharing ? workers : nullptr),
       table_(network),
       kernels_(&best_kernels()),
-      pull_(table_.slots()) {}
+      pull_(3 * table_.slots) {}
 
-void SpringSystem::set_surroundings(const Surroundings& surroundings) noexcept { surroundings_ = surroundings; }
-const Surroundings& SpringSystem::surroundings() const noexcept { return surroundings_; }
-const Network& SpringSystem::network() const noexcept { return *network_; }
-std::size_t SpringSystem::size() const noexcept { return network_->size(); }
-
-std::size_t SpringSystem::memory_bytes() const noexcept {
-    return table_.memory_bytes() + pull_.capacity() * sizeof(PaddedVec3);
+void SpringSystem::set_surroundings(const Surroundings& surroundings) {
+    gravity_ = surroundings.gravity;
+    drag_ = surroundings.drag;
+    external_.resize(surroundings.external.empty() ? 0 : length());
+    if (!external_.empty()) packing().pack(surroundings.external, external_);
 }
 
-void SpringSystem::accelerations(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> a) noexcept {
-    const Vec3* external = surroundings_.external.empty() ? nullptr : surroundings_.external.data();
-    const KernelInput input{x.data(), v.data(), external, surroundings_.gravity, surroundings_.drag};
+const Network& SpringSystem::network() const noexcept { return *network_; }
+std::size_t SpringSystem::size() const noexcept { return network_->size(); }
+const Packing& SpringSystem::packing() const noexcept { return table_.packing; }
+std::size_t SpringSystem::length() const noexcept { return table_.packing.length(); }
+
+std::size_t SpringSystem::memory_bytes() const noexcept {
+    return table_.memory_bytes() + (external_.capacity() + pull_.capacity()) * sizeof(double);
+}
+
+void SpringSystem::accelerations(std::span<const double> x, std::span<const double> v,
+                                 std::span<double> a) noexcept {
+    const KernelInput input{x.data(), v.data(), external_.empty() ? nullptr : external_.data(), gravity_,
+                            drag_};
+    auto pulls = [&](std::size_t begin, std::size_t end) {
+        kernels_->pulls(table_, input, begin, end, pull_.data());
+    };
+    auto accelerate = [&](std::size_t begin, std::size_t end) {
+        kernels_->accelerations(table_, input, pull_.data(), begin, end, a.data());
+    };
     if (workers_ == nullptr) {
-        kernels_->pulls(table_, input, 0, table_.springs(), pull_.data());
-        kernels_->accelerations(table_, input, pull_.data(), 0, size(), a.data());
+        pulls(0, table_.quads.size());
+        accelerate(0, table_.blocks.size());
         return;
     }
-    workers_->for_each_range(table_.springs(), kGrain, [&](std::size_t begin, std::size_t end) {
-        kernels_->pulls(table_, input, begin, end, pull_.data());
-    });
-    workers_->for_each_range(size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        kernels_->accelerations(table_, input, pull_.data(), begin, end, a.data());
-    });
+    workers_->for_each_range(table_.quads.size(), kGrain, pulls);
+    workers_->for_each_range(table_.blocks.size(), kGrain, accelerate);
 }
 
 void SpringSystem::forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> f) const noexcept {
     for (std::size_t i = 0; i < size(); ++i) {
-        f[i] = network_->mass[i] * surroundings_.gravity - surroundings_.drag * v[i];
-        if (!surroundings_.external.empty()) f[i] += surroundings_.external[i];
+        f[i] = network_->mass[i] * gravity_ - drag_ * v[i] + external_force(i);
     }
     for (const Spring& s : network_->springs) {
         const Vec3 l = x[s.a] - x[s.b];
@@ -56,11 +65,17 @@ void SpringSystem::forces(std::span<const Vec3> x, std::span<const Vec3> v, std:
     }
 }
 
+Vec3 SpringSystem::external_force(std::size_t particle) const noexcept {
+    if (external_.empty()) return {};
+    const std::size_t plane = packing().plane();
+    return {external_[particle], external_[plane + particle], external_[2 * plane + particle]};
+}
+
 Energy SpringSystem::energy(std::span<const Vec3> x, std::span<const Vec3> v) const noexcept {
     Energy energy;
     for (std::size_t i = 0; i < size(); ++i) {
         energy.kinetic += 0.5 * network_->mass[i] * dot(v[i], v[i]);
-        energy.potential -= network_->mass[i] * dot(surroundings_.gravity, x[i]);
+        energy.potential -= network_->mass[i] * dot(gravity_, x[i]);
     }
     for (const Spring& s : network_->springs) {
         const double extension = distance(x[s.a], x[s.b]) - s.rest_length;

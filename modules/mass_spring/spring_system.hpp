@@ -7,17 +7,18 @@
 #include "network.hpp"
 #include "orbweaver/contracts/workers.hpp"
 #include "orbweaver/vec3.hpp"
+#include "packing.hpp"
 #include "spring_kernel.hpp"
 
 namespace orbweaver::mass_spring {
 
-/// All that a method of integration knows of what it integrates: x'' = a(x, v).
+/// All that a method of integration knows of what it integrates: x'' = a(x, v), in flat vectors whose
+/// layout is the system's own business.
 class DynamicSystem {
 public:
-    virtual std::size_t size() const noexcept = 0;  ///< particles
-    /// Writes the acceleration (m/s^2) of every particle; zero for fixed ones.
-    virtual void accelerations(std::span<const Vec3> x, std::span<const Vec3> v,
-                               std::span<Vec3> a) noexcept = 0;
+    virtual std::size_t length() const noexcept = 0;  ///< of x, of v and of a
+    virtual void accelerations(std::span<const double> x, std::span<const double> v,
+                               std::span<double> a) noexcept = 0;
 
 protected:
     ~DynamicSystem() = default;
@@ -27,7 +28,7 @@ protected:
 struct Surroundings {
     Vec3 gravity;                    ///< m/s^2
     double drag = 0;                 ///< k_d of f = -k_d v, N s/m, the same for every particle
-    std::span<const Vec3> external;  ///< N per particle, constant over a frame; empty: none
+    std::span<const Vec3> external;  ///< N per particle; empty: none
 };
 
 /// Mechanical energy in joules. Potential is of gravity, zero at the origin.
@@ -47,14 +48,21 @@ public:
     /// `network` must outlive the system and be sound (see validate()). Null workers: one thread.
     SpringSystem(const Network& network, Workers* workers);
 
-    void set_surroundings(const Surroundings& surroundings) noexcept;
-    const Surroundings& surroundings() const noexcept;
+    /// In force until the next call; the external forces are copied.
+    void set_surroundings(const Surroundings& surroundings);
     const Network& network() const noexcept;
+    std::size_t size() const noexcept;  ///< particles
     std::size_t memory_bytes() const noexcept;
 
-    std::size_t size() const noexcept override;
-    void accelerations(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> a) noexcept override;
+    /// The layout of the flat vectors.
+    const Packing& packing() const noexcept;
+    std::size_t length() const noexcept override;
+    /// m/s^2; zero for fixed particles.
+    void accelerations(std::span<const double> x, std::span<const double> v,
+                       std::span<double> a) noexcept override;
 
+    Vec3 external_force(std::size_t particle) const noexcept;  ///< N
+    double drag() const noexcept { return drag_; }             ///< N s/m
     /// Net force (N) on every particle, fixed ones too: at rest, minus what its anchor bears.
     void forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> f) const noexcept;
     Energy energy(std::span<const Vec3> x, std::span<const Vec3> v) const noexcept;
@@ -71,10 +79,12 @@ public:
 private:
     const Network* network_;
     Workers* workers_;  ///< null when there are too few springs to share
-    Surroundings surroundings_;
     SpringTable table_;
     const SpringKernels* kernels_;
-    std::vector<PaddedVec3> pull_;  ///< N, two slots a spring, scratch
+    Vec3 gravity_;
+    double drag_ = 0;
+    std::vector<double> external_;  ///< packed; empty: none
+    std::vector<double> pull_;      ///< N, three planes of a slot per spring, scratch
 };
 
 /// Tension (N, negative in compression) of one spring, its elastic part.

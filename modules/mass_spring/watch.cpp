@@ -25,11 +25,10 @@ std::array<Term, 4> terms_on(const SpringSystem& system, std::span<const Vec3> x
         elastic += sign * l * pull_factor(l, {}, s.rest_length, s.stiffness, 0);
         damping += sign * l * pull_factor(l, v[s.a] - v[s.b], 0, 0, s.damping);
     }
-    const Surroundings& around = system.surroundings();
-    return {{{"external force", around.external.empty() ? Vec3{} : around.external[particle]},
+    return {{{"external force", system.external_force(particle)},
              {"spring force", elastic},
              {"spring damping", damping},
-             {"drag", -around.drag * v[particle]}}};
+             {"drag", -system.drag() * v[particle]}}};
 }
 
 }  // namespace
@@ -56,12 +55,12 @@ std::size_t Watch::first_bad(std::span<const Vec3> x, std::span<const Vec3> v) c
     return x.size();
 }
 
-Culprit find_culprit(SpringSystem& system, std::span<const Vec3> x, std::span<const Vec3> v,
+Culprit find_culprit(const SpringSystem& system, std::span<const Vec3> x, std::span<const Vec3> v,
                      std::size_t first_bad) {
-    std::vector<Vec3> a(x.size());
-    system.accelerations(x, v, a);
-    const auto found = std::find_if(a.begin(), a.end(), [](const Vec3& each) { return !is_finite(each); });
-    const std::size_t particle = found == a.end() ? first_bad : static_cast<std::size_t>(found - a.begin());
+    std::vector<Vec3> f(x.size());
+    system.forces(x, v, f);
+    const auto found = std::find_if(f.begin(), f.end(), [](const Vec3& each) { return !is_finite(each); });
+    const std::size_t particle = found == f.end() ? first_bad : static_cast<std::size_t>(found - f.begin());
 
     const auto terms = terms_on(system, x, v, particle);
     const auto bad =

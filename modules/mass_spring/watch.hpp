@@ -28,9 +28,9 @@ struct Culprit {
     const char* term = "";  ///< "external force", "spring force", "spring damping" or "drag"
 };
 
-/// Looks at the sound state x, v just before `first_bad`: the first particle whose acceleration is not finite
+/// Looks at the sound state x, v just before `first_bad`: the first particle whose net force is not finite
 /// there and the term that makes it so; when all are finite, `first_bad` and its largest term.
-Culprit find_culprit(SpringSystem& system, std::span<const Vec3> x, std::span<const Vec3> v,
+Culprit find_culprit(const SpringSystem& system, std::span<const Vec3> x, std::span<const Vec3> v,
                      std::size_t first_bad);
 
 }  // namespace orbweaver::mass_spring

@@ -133,6 +133,7 @@ private:
         wind_->sample({frame.time, position_, web_.layout.center, radius_}, air_velocity_, external_);
         for (std::size_t i = 0; i < external_.size(); ++i)
             external_[i] += surroundings_.drag * air_velocity_[i];
+        system_->set_surroundings(surroundings_);
     }
 
     void derive() {

@@ -1,4 +1,4 @@
-// The cost of a force evaluation and of a step of each method on a web-sized network, against the
+// The cost of a force evaluation and of a step of each method on the thesis's web, against the
 // straightforward loop over an array of structures, run in the same process.
 
 #include <benchmark/benchmark.h>
@@ -7,8 +7,10 @@
 #include <cmath>
 #include <vector>
 
+#include "../modules/web/sample_webs.hpp"
 #include "adviser.hpp"
 #include "method.hpp"
+#include "packing.hpp"
 #include "spring_system.hpp"
 
 namespace {
@@ -16,46 +18,48 @@ namespace {
 using namespace orbweaver;
 using namespace orbweaver::mass_spring;
 
-struct Web {
+struct Bodies {
     Network network;
     std::vector<Vec3> x, v;
 };
 
-/// 40 spokes crossed by a spiral of 50 turns that is cut here and there: 2001 particles, 3714 springs.
-Web make_web(double damping) {
-    constexpr std::uint32_t kSpokes = 40, kTurns = 50;
-    Web web;
-    const auto add = [&](const Vec3& x, bool fixed) {
-        web.network.mass.push_back(1e-8);
-        web.network.fixed.push_back(fixed ? 1 : 0);
-        web.x.push_back(x);
-        web.v.push_back({0.1 * x.y, -0.2 * x.x, 0.3 * x.x * x.y});
-    };
-    const auto join = [&](std::uint32_t a, std::uint32_t b) {
-        web.network.springs.push_back({a, b, 0.95 * distance(web.x[a], web.x[b]), 0.01, damping});
-    };
-    add({}, false);
-    for (std::uint32_t i = 0; i < kSpokes * kTurns; ++i) {
-        const double angle = 2 * 3.14159265358979 * i / kSpokes;
-        const double radius = 0.01 + 0.002 * i / kSpokes;
-        add({radius * std::cos(angle), radius * std::sin(angle), 0}, i >= kSpokes * (kTurns - 1));
+/// The web of assets/scenes/thesis_web.toml, its particles in motion.
+Bodies thesis_web(double damping) {
+    web::Construction how;
+    how.move_outer = 75e-3;
+    const web::Layout layout = web::construct(web::test::site_of(web::test::thesis_anchors()), how,
+                                              RandomStream(1, "web/irregularity"));
+    Bodies bodies{web::over_extend(layout, how, 1e-8, damping), layout.positions, {}};
+    for (const Vec3& x : bodies.x) bodies.v.push_back({0.1 * x.y, -0.2 * x.x, 0.3 * x.x * x.y});
+    return bodies;
+}
+
+/// As many springs between particles at random: no two of them are neighbours in memory.
+Bodies tangle() {
+    Bodies bodies = thesis_web(0);
+    const RandomStream random(1, "tangle");
+    std::uint64_t n = 0;
+    for (Spring& s : bodies.network.springs) {
+        do {
+            s.a = static_cast<std::uint32_t>(random.bits(n++) % bodies.x.size());
+            s.b = static_cast<std::uint32_t>(random.bits(n++) % bodies.x.size());
+        } while (s.a == s.b);
     }
-    for (std::uint32_t s = 1; s <= kSpokes; ++s) {
-        join(0, s);
-        for (std::uint32_t t = 1; t < kTurns; ++t) join(s + (t - 1) * kSpokes, s + t * kSpokes);
-    }
-    for (std::uint32_t i = 1; i < kSpokes * kTurns; ++i) {
-        if (i % 7 != 0) join(i, i + 1);
-    }
-    return web;
+    return bodies;
+}
+
+std::vector<double> packed(const SpringSystem& system, const std::vector<Vec3>& vectors) {
+    std::vector<double> flat(system.length());
+    system.packing().pack(vectors, flat);
+    return flat;
 }
 
 /// The peer: one structure per spring, forces added to both ends as they come.
-void naive_accelerations(const Web& web, std::vector<Vec3>& a) {
+void naive_accelerations(const Bodies& body, std::vector<Vec3>& a) {
     for (Vec3& each : a) each = {};
-    for (const Spring& s : web.network.springs) {
-        const Vec3 l = web.x[s.a] - web.x[s.b];
-        const Vec3 dl = web.v[s.a] - web.v[s.b];
+    for (const Spring& s : body.network.springs) {
+        const Vec3 l = body.x[s.a] - body.x[s.b];
+        const Vec3 dl = body.v[s.a] - body.v[s.b];
         const double length = norm(l);
         const Vec3 f =
             l * ((s.stiffness * (length - s.rest_length) + s.damping * dot(dl, l) / length) / length);
@@ -63,7 +67,7 @@ void naive_accelerations(const Web& web, std::vector<Vec3>& a) {
         a[s.b] += f;
     }
     for (std::size_t i = 0; i < a.size(); ++i) {
-        a[i] = web.network.fixed[i] != 0 ? Vec3{} : (a[i] - 1e-8 * web.v[i]) / web.network.mass[i];
+        a[i] = body.network.fixed[i] != 0 ? Vec3{} : (a[i] - 1e-8 * body.v[i]) / body.network.mass[i];
     }
 }
 
@@ -80,59 +84,61 @@ double best_seconds(Call&& call) {
 }
 
 /// Per spring: the mean that the framework measures, the best, and how many times the peer's best is longer.
-void report(benchmark::State& state, const Web& web, double best, double peer) {
-    const auto springs = static_cast<double>(web.network.springs.size());
+void report(benchmark::State& state, const Bodies& body, double best, double peer) {
+    const auto springs = static_cast<double>(body.network.springs.size());
     state.counters["best_ns_per_spring"] = 1e9 * best / springs;
     state.counters["peer_best_ns_per_spring"] = 1e9 * peer / springs;
     state.counters["times_faster_than_peer"] = peer / best;
 }
 
-double peer_seconds(const Web& web) {
-    std::vector<Vec3> a(web.x.size());
+double peer_seconds(const Bodies& body) {
+    std::vector<Vec3> a(body.x.size());
     return best_seconds([&] {
-        naive_accelerations(web, a);
+        naive_accelerations(body, a);
         benchmark::DoNotOptimize(a.data());
         benchmark::ClobberMemory();
     });
 }
 
-void forces(benchmark::State& state, double damping, const SpringKernels* kernels) {
+void forces(benchmark::State& state, const Bodies& body, const SpringKernels* kernels) {
     if (kernels == nullptr) return state.SkipWithError("this processor has no such instructions");
-    const Web web = make_web(damping);
-    SpringSystem system(web.network, nullptr);
+    SpringSystem system(body.network, nullptr);
     system.use_kernels(*kernels);
     system.set_surroundings({{}, 1e-8, {}});
-    std::vector<Vec3> a(web.x.size());
+    const std::vector<double> x = packed(system, body.x), v = packed(system, body.v);
+    std::vector<double> a(system.length());
     const auto call = [&] {
-        system.accelerations(web.x, web.v, a);
+        system.accelerations(x, v, a);
         benchmark::DoNotOptimize(a.data());
         benchmark::ClobberMemory();
     };
     for (auto _ : state) call();
-    report(state, web, best_seconds(call), peer_seconds(web));
+    report(state, body, best_seconds(call), peer_seconds(body));
 }
 
 /// A whole step, counted per spring and evaluation: what stands above `forces` is the method's own work.
 void step(benchmark::State& state, const char* name) {
-    Web web = make_web(0);
-    SpringSystem system(web.network, nullptr);
+    const Bodies body = thesis_web(0);
+    SpringSystem system(body.network, nullptr);
+    std::vector<double> x = packed(system, body.x), v = packed(system, body.v);
     const MethodInfo& info = *find_method(name);
-    const auto method = info.make(web.x.size());
-    const auto call = [&] { method->step(system, web.x, web.v, 1e-9); };
+    const auto method = info.make(system.length());
+    const auto call = [&] { method->step(system, x, v, 1e-9); };
     for (auto _ : state) call();
-    report(state, web, best_seconds(call) / info.evaluations, peer_seconds(web));
+    report(state, body, best_seconds(call) / info.evaluations, peer_seconds(body));
 }
 
 void advice(benchmark::State& state, const char* name, double damping) {
-    const Web web = make_web(damping);
-    const SpringSystem system(web.network, nullptr);
-    for (auto _ : state) benchmark::DoNotOptimize(advise(system, web.x, *find_method(name)).stable_step);
+    const Bodies body = thesis_web(damping);
+    const SpringSystem system(body.network, nullptr);
+    for (auto _ : state) benchmark::DoNotOptimize(advise(system, body.x, *find_method(name)).stable_step);
 }
 
-BENCHMARK_CAPTURE(forces, plain_undamped, 0, &plain_kernels());
-BENCHMARK_CAPTURE(forces, plain_damped, 1e-6, &plain_kernels());
-BENCHMARK_CAPTURE(forces, avx2_undamped, 0, avx2_kernels());
-BENCHMARK_CAPTURE(forces, avx2_damped, 1e-6, avx2_kernels());
+BENCHMARK_CAPTURE(forces, plain_undamped, thesis_web(0), &plain_kernels());
+BENCHMARK_CAPTURE(forces, plain_damped, thesis_web(1e-6), &plain_kernels());
+BENCHMARK_CAPTURE(forces, avx2_undamped, thesis_web(0), avx2_kernels());
+BENCHMARK_CAPTURE(forces, avx2_damped, thesis_web(1e-6), avx2_kernels());
+BENCHMARK_CAPTURE(forces, avx2_tangle, tangle(), avx2_kernels());
 BENCHMARK_CAPTURE(step, explicit_euler, "explicit_euler");
 BENCHMARK_CAPTURE(step, symplectic_euler, "symplectic_euler");
 BENCHMARK_CAPTURE(step, rk4, "rk4");

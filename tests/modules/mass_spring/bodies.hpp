@@ -4,10 +4,13 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "integrator.hpp"
 #include "network.hpp"
 #include "orbweaver/random.hpp"
+#include "spring_system.hpp"
 
 /// Small mass-spring bodies that several tests share.
 namespace bodies {
@@ -91,6 +94,45 @@ inline Body tangle(std::size_t particles, double damping) {
         }
     }
     return body;
+}
+
+/// A hub with radii of 1 to 12 particles, neighbours joined ring by ring as far as both reach; every 11th
+/// spring is double, every 3rd is written from its later end to its earlier.
+inline Body ragged_web(double damping) {
+    const orbweaver::RandomStream random(5, "ragged");
+    Body body;
+    body.add({0, 0, 0}, 1);
+    std::vector<std::uint32_t> before;
+    const auto join = [&](std::uint32_t a, std::uint32_t b) {
+        const std::size_t n = body.network.springs.size();
+        const double stiffness = random.uniform(n, 1, 5);
+        if (n % 3 == 0) std::swap(a, b);
+        body.join(a, b, 0.9, stiffness, damping);
+        if (n % 11 == 0) body.join(a, b, 0.8, stiffness, damping);
+    };
+    for (std::uint32_t spoke = 0; spoke < 24; ++spoke) {
+        std::vector<std::uint32_t> radius;
+        for (std::uint32_t ring = 0; ring < 1 + (7 * spoke) % 12; ++ring) {
+            const double r = 1 + ring, angle = 2 * kPi * spoke / 24;
+            radius.push_back(body.add({r * std::cos(angle), r * std::sin(angle), 0.1 * r * r}, 1 + 0.1 * ring));
+            body.v.back() = {0.1 * r, -0.2 * angle, 0.3};
+            join(ring == 0 ? 0 : radius[ring - 1], radius[ring]);
+            if (ring < before.size()) join(before[ring], radius[ring]);
+        }
+        before = radius;
+    }
+    return body;
+}
+
+inline std::vector<Vec3> accelerations(orbweaver::mass_spring::SpringSystem& system, std::span<const Vec3> x,
+                                       std::span<const Vec3> v) {
+    std::vector<double> packed_x(system.length()), packed_v(system.length()), packed_a(system.length());
+    system.packing().pack(x, packed_x);
+    system.packing().pack(v, packed_v);
+    system.accelerations(packed_x, packed_v, packed_a);
+    std::vector<Vec3> a(x.size());
+    system.packing().unpack(packed_a, a);
+    return a;
 }
 
 inline bool same_bits(std::span<const Vec3> a, std::span<const Vec3> b) {

@@ -122,6 +122,7 @@ TEST_CASE("an external force that is not a number is named", "[unit]") {
     run.advance(0, 0);
     const auto before = body.x;
     wind[3].y = std::numeric_limits<double>::quiet_NaN();
+    system.set_surroundings({{}, 0, wind});
     const std::string said = sentence_of([&] { run.advance(1, 1e-3); });
     CHECK(said.rfind(
               "web: the external force on particle 3 stopped it being finite at t = 1.1 ms (frame 1, step 1 "

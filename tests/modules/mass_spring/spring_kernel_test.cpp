@@ -30,15 +30,13 @@ std::vector<Vec3> accelerations_of(const Body& body, const Surroundings& around,
     SpringSystem system(body.network, workers);
     system.set_surroundings(around);
     system.use_kernels(kernels);
-    std::vector<Vec3> a(body.x.size());
-    system.accelerations(body.x, body.v, a);
-    return a;
+    return bodies::accelerations(system, body.x, body.v);
 }
 
-/// A tangle with a few fixed particles and two at the same point.
+/// A tangle or a web with a few fixed particles and two at the same point.
 Body awkward_body(std::size_t particles, double damping) {
-    Body body = bodies::tangle(particles, damping);
-    body.network.fixed[0] = body.network.fixed[particles / 2] = 1;
+    Body body = particles == 0 ? bodies::ragged_web(damping) : bodies::tangle(particles, damping);
+    body.network.fixed[0] = body.network.fixed[body.x.size() / 2] = 1;
     body.x[body.network.springs[5].a] = body.x[body.network.springs[5].b];
     return body;
 }
@@ -53,8 +51,9 @@ TEST_CASE("kernels and workers give the same bits", "[unit]") {
         double drag;
         bool external;
     };
-    // Spring counts that are and are not multiples of four; 4000 particles are enough to be shared.
-    const Case cases[] = {{"a handful", 5, 0.3, 0.1, true},       {"bare springs", 101, 0, 0, false},
+    // Counts that are and are not multiples of four; 4000 particles are enough to be shared.
+    const Case cases[] = {{"a web", 0, 0.3, 0.1, true},           {"a bare web", 0, 0, 0, false},
+                          {"a handful", 5, 0.3, 0.1, true},       {"bare springs", 101, 0, 0, false},
                           {"damped springs", 102, 0.3, 0, false}, {"drag and wind", 103, 0, 0.1, true},
                           {"many, bare", 4000, 0, 0, false},      {"many, everything", 4001, 0.3, 0.1, true}};
     for (const Case& each : cases) {

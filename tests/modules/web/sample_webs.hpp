@@ -39,7 +39,7 @@ inline Site site_of(const std::vector<Vec3>& anchors) {
 
 inline Layout thesis_layout(double irregularity = 0, std::uint64_t seed = 1) {
     Construction how;
-    how.move_outer = 60e-3;
+    how.move_outer = 75e-3;
     how.irregularity = irregularity;
     return construct(site_of(thesis_anchors()), how, RandomStream(seed, "web/irregularity"));
 }

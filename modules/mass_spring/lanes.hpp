@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+/// Four doubles at once, for code that is compiled for several instruction sets from one source: everything
+/// here is inlined into its caller and takes that one's instructions.
+#define ORBWEAVER_INLINE inline __attribute__((always_inline))
+
+namespace orbweaver::mass_spring {
+
+using Lanes = double __attribute__((vector_size(32)));
+
+ORBWEAVER_INLINE Lanes load(const double* from) noexcept {
+    Lanes lanes;
+    std::memcpy(&lanes, from, sizeof lanes);
+    return lanes;
+}
+
+ORBWEAVER_INLINE void store(double* to, const Lanes& lanes) noexcept { std::memcpy(to, &lanes, sizeof lanes); }
+
+ORBWEAVER_INLINE Lanes sqrt(const Lanes& s) noexcept {
+    return Lanes{std::sqrt(s[0]), std::sqrt(s[1]), std::sqrt(s[2]), std::sqrt(s[3])};
+}
+
+/// A vector in each lane.
+struct Vec3Lanes {
+    Lanes x, y, z;
+};
+
+/// From three planes (see Packing).
+ORBWEAVER_INLINE Vec3Lanes load(const double* from, std::size_t plane) noexcept {
+    return {load(from), load(from + plane), load(from + 2 * plane)};
+}
+
+ORBWEAVER_INLINE void store(double* to, std::size_t plane, const Vec3Lanes& v) noexcept {
+    store(to, v.x);
+    store(to + plane, v.y);
+    store(to + 2 * plane, v.z);
+}
+
+ORBWEAVER_INLINE Vec3Lanes operator+(const Vec3Lanes& a, const Vec3Lanes& b) noexcept {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+ORBWEAVER_INLINE Vec3Lanes operator-(const Vec3Lanes& a, const Vec3Lanes& b) noexcept {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+ORBWEAVER_INLINE Vec3Lanes operator*(const Vec3Lanes& a, const Lanes& s) noexcept {
+    return {a.x * s, a.y * s, a.z * s};
+}
+ORBWEAVER_INLINE Lanes dot(const Vec3Lanes& a, const Vec3Lanes& b) noexcept {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+}  // namespace orbweaver::mass_spring

@@ -1,0 +1,21 @@
+#include "packing.hpp"
+
+namespace orbweaver::mass_spring {
+
+void Packing::pack(std::span<const Vec3> vectors, std::span<double> packed) const noexcept {
+    const std::size_t y = plane();
+    const std::size_t z = 2 * y;
+    for (std::size_t i = 0; i < particles_; ++i) {
+        packed[i] = vectors[i].x;
+        packed[y + i] = vectors[i].y;
+        packed[z + i] = vectors[i].z;
+    }
+}
+
+void Packing::unpack(std::span<const double> packed, std::span<Vec3> vectors) const noexcept {
+    const std::size_t y = plane();
+    const std::size_t z = 2 * y;
+    for (std::size_t i = 0; i < particles_; ++i) vectors[i] = {packed[i], packed[y + i], packed[z + i]};
+}
+
+}  // namespace orbweaver::mass_spring
