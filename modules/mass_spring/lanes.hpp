@@ -4,12 +4,11 @@
 #include <cstddef>
 #include <cstring>
 
-/// Four doubles at once, for code that is compiled for several instruction sets from one source: everything
-/// here is inlined into its caller and takes that one's instructions.
-#define ORBWEAVER_INLINE inline __attribute__((always_inline))
+#include "targets.hpp"
 
 namespace orbweaver::mass_spring {
 
+/// Four doubles at once.
 using Lanes = double __attribute__((vector_size(32)));
 
 ORBWEAVER_INLINE Lanes load(const double* from) noexcept {

@@ -1,4 +1,5 @@
 #include "builtin_methods.hpp"
+#include "wide_loop.hpp"
 
 namespace orbweaver::mass_spring {
 namespace {
@@ -29,32 +30,25 @@ private:
     /// The next stage: x_ = x + h slope, v_ = v + h a. `slope` may be v_ itself.
     void advance_stage(std::span<const double> x, std::span<const double> v, std::span<const double> slope,
                        std::span<const double> a, double h) noexcept {
-        const std::size_t count = x.size();
-        double* xs = x_.data();
-        double* vs = v_.data();
-#pragma GCC ivdep
-        for (std::size_t i = 0; i < count; ++i) {
+        wide_loop(x.size(), [=, xs = x_.data(), vs = v_.data(), x = x.data(), v = v.data(),
+                             slope = slope.data(), a = a.data()](std::size_t i) ORBWEAVER_ALWAYS_INLINE {
             xs[i] = x[i] + h * slope[i];
             vs[i] = v[i] + h * a[i];
-        }
+        });
     }
 
     void add_to_middle() noexcept {
-        const std::size_t count = middle_.size();
-        for (std::size_t i = 0; i < count; ++i) middle_[i] += last_[i];
+        wide_loop(middle_.size(), [middle = middle_.data(), last = last_.data()](std::size_t i)
+                                      ORBWEAVER_ALWAYS_INLINE { middle[i] += last[i]; });
     }
 
     void finish(std::span<double> x, std::span<double> v, double h) noexcept {
-        const std::size_t count = x.size();
-        const double* first = first_.data();
-        const double* middle = middle_.data();
-        const double* last = last_.data();
         const double sixth = h / 6;
-#pragma GCC ivdep
-        for (std::size_t i = 0; i < count; ++i) {
+        wide_loop(x.size(), [=, x = x.data(), v = v.data(), first = first_.data(), middle = middle_.data(),
+                             last = last_.data()](std::size_t i) ORBWEAVER_ALWAYS_INLINE {
             x[i] += h * (v[i] + sixth * (first[i] + middle[i]));
             v[i] += sixth * (first[i] + 2 * middle[i] + last[i]);
-        }
+        });
     }
 
     std::vector<double> x_, v_;   ///< of a stage

@@ -5,6 +5,7 @@
 
 #include "orbweaver/fault.hpp"
 #include "quantity.hpp"
+#include "step_bound.hpp"
 #include "substep_plan.hpp"
 
 namespace orbweaver::mass_spring {
@@ -27,6 +28,7 @@ Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double
     for (std::size_t i = 0; i < v_.size(); ++i) {
         if (system.network().fixed[i] != 0) v_[i] = {};
     }
+    bound_step_ = kSafety * bound_step(system, *settings_.method);
     choose_substep();
 }
 
@@ -45,6 +47,7 @@ const Advice& Simulation::advice() const noexcept { return advice_; }
 std::uint64_t Simulation::steps() const noexcept { return steps_; }
 double Simulation::error_estimate() const noexcept { return error_.estimate(); }
 std::string Simulation::error_method() const { return error_.how(); }
+double Simulation::energy_gain() const noexcept { return energy_gain_; }
 
 std::int64_t Simulation::substeps_per_frame() const noexcept {
     return static_cast<std::int64_t>(std::llround(frame_step_ / substep()));
@@ -69,16 +72,64 @@ void Simulation::advance(std::uint64_t frame, double time) {
     std::copy(v_.begin(), v_.end(), start_v_.begin());
     if (const std::size_t bad = watch_.first_bad(x_, v_); bad < x_.size()) {
         throw Fault(FaultKind::diverged,
-                    settings_.owner + ": particle " + std::to_string(bad) +
+                    "particle " + std::to_string(bad) +
                         " is not at a finite place with a finite velocity at t = " + seconds_text(time) +
                         ", where frame " + std::to_string(frame) + " starts");
     }
     if (frame % kFramesPerAdvice == 0) choose_substep();
+    EnergyBalance balance;
+    bool finished = run_frame(balance);
+    if (is_beyond_bound() && !(finished && balance.holds()))
+        finished = answer_instability(frame, time, finished, balance);
+    if (!finished) fail(frame, time);
+    energy_gain_ += std::max(0.0, balance.gain);
     const std::int64_t count = substeps_per_frame();
-    if (!integrate(x_, v_, count)) fail(frame, time);
     steps_ += static_cast<std::uint64_t>(count);
     error_.count_frame();
     if (ErrorMeter::samples(frame)) measure_error(count);
+}
+
+bool Simulation::run_frame(EnergyBalance& balance) noexcept {
+    if (!integrate(x_, v_, substeps_per_frame())) return false;
+    balance = balance_energy(*system_, start_x_, start_v_, x_, v_);
+    return true;
+}
+
+bool Simulation::is_beyond_bound() const noexcept { return bound_step_ > 0 && substep() > bound_step_; }
+
+bool Simulation::answer_instability(std::uint64_t frame, double time, bool finished, EnergyBalance& balance) {
+    std::string sentence =
+        "frame " + std::to_string(frame) + " at t = " + seconds_text(time) +
+        (finished ? " gained " + number_text(balance.gain) + " J from nowhere" : " could not be finished") +
+        " at steps of " + seconds_text(substep());
+    if (settings_.on_unstable == OnUnstable::substep) {
+        restore_start();
+        const std::int64_t count = count_bounded(settings_, bound_step_, frame_step_);
+        set_substep(frame_step_ / static_cast<double>(count));
+        sentence += ": it moved out of the arrangement that they were advised for; it is redone at " +
+                    seconds_text(substep()) + ", stable in every arrangement";
+        warn_of_gain(sentence);
+        return run_frame(balance);
+    }
+    if (!finished) return false;
+    if (settings_.on_unstable == OnUnstable::stop) {
+        restore_start();
+        throw Fault(FaultKind::diverged, sentence + "; steps of " + seconds_text(bound_step_) +
+                                             " are stable in every arrangement; ask for those, or for "
+                                             "on_unstable = \"substep\"");
+    }
+    warn_of_gain(sentence + ", which were asked for; it goes on");
+    return true;
+}
+
+void Simulation::warn_of_gain(const std::string& sentence) {
+    if (settings_.warn && !warned_of_gain_) settings_.warn(sentence);
+    warned_of_gain_ = true;
+}
+
+void Simulation::restore_start() noexcept {
+    std::copy(start_x_.begin(), start_x_.end(), x_.begin());
+    std::copy(start_v_.begin(), start_v_.end(), v_.begin());
 }
 
 void Simulation::measure_error(std::int64_t count) {
@@ -90,8 +141,7 @@ void Simulation::measure_error(std::int64_t count) {
 void Simulation::fail(std::uint64_t frame, double time) {
     const std::int64_t count = substeps_per_frame();
     const double h = substep();
-    std::copy(start_x_.begin(), start_x_.end(), x_.begin());
-    std::copy(start_v_.begin(), start_v_.end(), v_.begin());
+    restore_start();
     std::int64_t done = 0;
     std::size_t bad = x_.size();
     while (bad == x_.size() && done < count) {
@@ -111,10 +161,8 @@ void Simulation::fail(std::uint64_t frame, double time) {
         what += culprit.term;
         what += " on particle " + std::to_string(culprit.particle) + " stopped it being finite";
     }
-    std::copy(start_x_.begin(), start_x_.end(), x_.begin());
-    std::copy(start_v_.begin(), start_v_.end(), v_.begin());
-    throw Fault(FaultKind::diverged, settings_.owner + ": " + what +
-                                         " at t = " + seconds_text(time + static_cast<double>(done) * h) +
+    restore_start();
+    throw Fault(FaultKind::diverged, what + " at t = " + seconds_text(time + static_cast<double>(done) * h) +
                                          " (frame " + std::to_string(frame) + ", step " + std::to_string(done) +
                                          " of " + std::to_string(count) + ", each " + seconds_text(h) +
                                          "); the state at t = " + seconds_text(time) + " is kept; " +

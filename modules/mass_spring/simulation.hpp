@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "adviser.hpp"
+#include "energy_balance.hpp"
 #include "error_meter.hpp"
 #include "integrator.hpp"
 #include "method.hpp"
@@ -22,8 +23,9 @@ inline constexpr std::size_t kSimulationMemory = 1;
 inline constexpr std::uint64_t kFramesPerAdvice = 64;
 
 /// Advances one mass-spring system frame by frame: substeps as the method and the adviser ask, keeps the
-/// last good state, watches for values that mean nothing, and estimates its own error by redoing sampled
-/// frames at half the step. Shared by every module whose bodies are mass-spring systems.
+/// last good state, watches for values that mean nothing and for energy from nowhere, and estimates its own
+/// error by redoing sampled frames at half the step. Shared by every module whose bodies are mass-spring
+/// systems.
 class Simulation {
 public:
     /// `memory` is kSimulationMemory doubles of the owner's state: the substep in use (s), which is chosen
@@ -37,8 +39,11 @@ public:
 
     /// From `time` to `time` + frame_step. On the first value that is not finite, or position that left for
     /// 1e6 times the system's extent, restores the frame's start in x and v and throws Fault(diverged)
-    /// naming owner, element, term, time and step. Throws like the constructor, with x and v untouched, when
-    /// the configuration has come to need shorter steps than the settings allow.
+    /// naming element, term, time and step. A frame that gains as much energy as moves in it came to
+    /// need a shorter step than was advised: `substep` redoes it at one that is stable in every arrangement
+    /// (see bound_step()) and keeps that until the next advice, `stop` throws, `as_asked` warns. Throws like
+    /// the constructor, with x and v untouched, when the configuration has come to need shorter steps than the
+    /// settings allow.
     void advance(std::uint64_t frame, double time);
 
     const Advice& advice() const noexcept;
@@ -48,6 +53,8 @@ public:
     /// mean per frame times frames run. Not a bound where the system itself is chaotic.
     double error_estimate() const noexcept;
     std::string error_method() const;  ///< how, over how many frames
+    /// J that came from nowhere, summed over the frames that gained.
+    double energy_gain() const noexcept;
     std::size_t memory_bytes() const noexcept;
 
 private:
@@ -56,6 +63,13 @@ private:
     std::int64_t substeps_per_frame() const noexcept;
     /// `count` steps over one frame from x_, v_; false as soon as a value is found to mean nothing.
     bool integrate(std::span<Vec3> x, std::span<Vec3> v, std::int64_t count) noexcept;
+    /// As many steps as plan; false when it could not be finished. The balance is of the whole frame.
+    bool run_frame(EnergyBalance& balance) noexcept;
+    bool is_beyond_bound() const noexcept;
+    /// What on_unstable says of a frame that can be no motion, run at steps that may be too long.
+    bool answer_instability(std::uint64_t frame, double time, bool finished, EnergyBalance& balance);
+    void warn_of_gain(const std::string& sentence);
+    void restore_start() noexcept;
     void measure_error(std::int64_t count);
     [[noreturn]] void fail(std::uint64_t frame, double time);
 
@@ -69,7 +83,10 @@ private:
     Watch watch_;
     ErrorMeter error_;
     Advice advice_;
+    double bound_step_ = 0;  ///< s, stable in every arrangement
     bool warned_ = false;
+    bool warned_of_gain_ = false;
+    double energy_gain_ = 0;
     std::uint64_t steps_ = 0;
     std::vector<Vec3> start_x_, start_v_;  ///< the last good state
     std::vector<Vec3> trial_x_, trial_v_;  ///< of a frame redone

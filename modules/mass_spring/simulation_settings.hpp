@@ -17,7 +17,6 @@ struct SimulationSettings {
     double step = 0;  ///< s, asked substep; 0: the adviser's
     OnUnstable on_unstable = OnUnstable::substep;
     std::int64_t max_substeps = 100000;                       ///< of one frame; more is refused in words
-    std::string owner;                                        ///< for sentences: "web"
     std::function<std::string(std::size_t)> describe_spring;  ///< "spring 12 (radius, 3 to 7)"
     std::function<void(const std::string&)> warn;             ///< receives full sentences
 };

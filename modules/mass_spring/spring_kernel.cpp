@@ -74,11 +74,6 @@ void plain_accelerations(const SpringTable& table, const KernelInput& input, con
     block_accelerations(table, input, pull, begin, end, a);
 }
 
-#if defined(__x86_64__)
-
-// Without FMA: a fused multiply-add rounds once where the plain kernel rounds twice.
-#define ORBWEAVER_AVX2 __attribute__((target("avx2")))
-
 ORBWEAVER_AVX2 void avx2_pulls(const SpringTable& table, const KernelInput& input, std::size_t begin,
                                std::size_t end, double* pull) noexcept {
     any_pulls(table, input, begin, end, pull);
@@ -89,8 +84,6 @@ ORBWEAVER_AVX2 void avx2_accelerations(const SpringTable& table, const KernelInp
     block_accelerations(table, input, pull, begin, end, a);
 }
 
-#endif
-
 }  // namespace
 
 const SpringKernels& plain_kernels() noexcept {
@@ -99,12 +92,8 @@ const SpringKernels& plain_kernels() noexcept {
 }
 
 const SpringKernels* avx2_kernels() noexcept {
-#if defined(__x86_64__)
     static constexpr SpringKernels kernels{avx2_pulls, avx2_accelerations};
-    return __builtin_cpu_supports("avx2") != 0 ? &kernels : nullptr;
-#else
-    return nullptr;
-#endif
+    return has_avx2() ? &kernels : nullptr;
 }
 
 const SpringKernels& best_kernels() noexcept {

@@ -9,8 +9,6 @@
 namespace orbweaver::mass_spring {
 namespace {
 
-constexpr double kSafety = 0.9;  // the tangent moves between two looks at it
-
 std::string method_name(const SimulationSettings& settings) { return std::string(settings.method->name); }
 
 std::string stable_text(const SimulationSettings& settings, const Advice& advice) {
@@ -22,7 +20,7 @@ std::string stable_text(const SimulationSettings& settings, const Advice& advice
 
 [[noreturn]] void refuse_any_step(const SimulationSettings& settings, const Advice& advice) {
     throw Fault(FaultKind::diverged,
-                settings.owner + ": no step of " + method_name(settings) + " is stable on an oscillation of " +
+                "no step of " + method_name(settings) + " is stable on an oscillation of " +
                     number_text(advice.angular_frequency) + " rad/s that nothing damps" +
                     (advice.has_spring ? ", strongest in " + describe_spring(settings, advice.spring) : "") +
                     "; choose symplectic_euler or rk4, or add drag and damping");
@@ -38,25 +36,31 @@ std::int64_t checked_count(const SimulationSettings& settings, double frame_step
                            const std::string& remedy) {
     const double count = count_steps(frame_step, step);
     if (count <= static_cast<double>(settings.max_substeps)) return static_cast<std::int64_t>(count);
-    throw Fault(FaultKind::diverged, settings.owner + ": a frame of " + seconds_text(frame_step) +
-                                         " would take " + number_text(count) + " steps of " +
-                                         seconds_text(step) + "; expected at most " +
-                                         std::to_string(settings.max_substeps) + "; " + remedy);
+    throw Fault(FaultKind::diverged, "a frame of " + seconds_text(frame_step) + " would take " +
+                                         number_text(count) + " steps of " + seconds_text(step) +
+                                         "; expected at most " + std::to_string(settings.max_substeps) + "; " +
+                                         remedy);
 }
 
 std::int64_t count_as_asked(const SimulationSettings& settings, double frame_step, double asked) {
     return checked_count(settings, frame_step, asked, "ask for a longer step");
 }
 
+constexpr const char* kSoften = "lower stiffness, damping or drag, or raise the masses";
+
 std::int64_t count_as_advised(const SimulationSettings& settings, const Advice& advice, double frame_step) {
     const double safe = kSafety * advice.stable_step;
     if (safe == 0) refuse_any_step(settings, advice);
-    std::string remedy = "lower stiffness, damping or drag, or raise the masses";
+    std::string remedy = kSoften;
     if (advice.has_spring) remedy += ", first of all at " + describe_spring(settings, advice.spring);
     return checked_count(settings, frame_step, safe, remedy);
 }
 
 }  // namespace
+
+std::int64_t count_bounded(const SimulationSettings& settings, double step, double frame_step) {
+    return checked_count(settings, frame_step, step, kSoften);
+}
 
 std::string describe_spring(const SimulationSettings& settings, std::size_t spring) {
     return settings.describe_spring ? settings.describe_spring(spring) : "spring " + std::to_string(spring);
@@ -67,8 +71,8 @@ SubstepPlan plan_substeps(const SimulationSettings& settings, const Advice& advi
     const double asked = std::min(settings.step, frame_step);
     if (asked <= advice.stable_step) return {count_as_asked(settings, frame_step, asked), {}};
 
-    const std::string excess = settings.owner + ": the asked step of " + seconds_text(asked) +
-                               " is longer than " + stable_text(settings, advice);
+    const std::string excess =
+        "the asked step of " + seconds_text(asked) + " is longer than " + stable_text(settings, advice);
     if (settings.on_unstable == OnUnstable::as_asked) {
         return {count_as_asked(settings, frame_step, asked),
                 excess + "; it is taken as asked, and will likely diverge"};

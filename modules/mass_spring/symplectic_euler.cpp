@@ -1,4 +1,5 @@
 #include "builtin_methods.hpp"
+#include "wide_loop.hpp"
 
 namespace orbweaver::mass_spring {
 namespace {
@@ -10,10 +11,11 @@ public:
 
     void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) noexcept override {
         system.accelerations(x, v, a_);
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            v[i] += h * a_[i];
-            x[i] += h * v[i];
-        }
+        wide_loop(x.size(),
+                  [h, x = x.data(), v = v.data(), a = a_.data()](std::size_t i) ORBWEAVER_ALWAYS_INLINE {
+                      v[i] += h * a[i];
+                      x[i] += h * v[i];
+                  });
     }
 
     std::size_t memory_bytes() const noexcept override { return a_.capacity() * sizeof(double); }

@@ -42,16 +42,12 @@ public:
         start_residual_ = residual();
         make_simulation(host);
         host.provide<Threads>(*this);
-        derive();
     }
 
     void run(Phase phase, const Frame& frame) override {
         if (phase == Phase::sense && wind_ != nullptr) sense(frame);
         if (phase == Phase::integrate) simulation_->advance(frame.index, frame.time);
-        if (phase == Phase::derive) derive();
     }
-
-    void restored() override { derive(); }
 
     void report(ModuleReport& report) override {
         report.method = method_;
@@ -62,7 +58,8 @@ public:
         report_threads(report);
         if (web_.layout.is_orb()) report_orb(report);
         report.measure("settle_residual_n", start_residual_);
-        report.measure("energy_j", energy_);
+        report.measure("energy_j", energy().total());
+        report.measure("energy_gain_j", simulation_->energy_gain());
         const mass_spring::Advice& advice = simulation_->advice();
         report.measure("stable_step_s", advice.stable_step);
         report.measure("stable_step_spring", advice.has_spring ? describe_spring(advice.spring) : "none");
@@ -104,14 +101,14 @@ private:
         settings.step = options.has("step") ? options.number("step") : 0;
         settings.on_unstable = read_on_unstable(options.text("on_unstable"));
         settings.max_substeps = options.integer("max_substeps");
-        settings.owner = host.instance_name();
         settings.describe_spring = [this](std::size_t i) { return describe_spring(i); };
         settings.warn = [&host](const std::string& sentence) { host.log(LogLevel::warning, sentence); };
         simulation_ = std::make_unique<mass_spring::Simulation>(*system_, settings, host.scene().step,
                                                                 position_, velocity_, substep_);
-        host.telemetry("energy_j", "J", &energy_);
-        host.telemetry("kinetic_energy_j", "J", &kinetic_energy_);
-        host.telemetry("max_strain", "1", &max_strain_);
+        host.telemetry("energy_j", "J", [this] { return energy().total(); });
+        host.telemetry("kinetic_energy_j", "J", [this] { return energy().kinetic; });
+        host.telemetry("max_strain", "1",
+                       [this] { return measure_threads(web_.network, position_).max_strain; });
     }
 
     /// To a thousandth of a particle's weight, beyond which nothing can be seen to move.
@@ -136,12 +133,7 @@ private:
         system_->set_surroundings(surroundings_);
     }
 
-    void derive() {
-        const mass_spring::Energy energy = system_->energy(position_, velocity_);
-        energy_ = energy.total();
-        kinetic_energy_ = energy.kinetic;
-        max_strain_ = measure_threads(web_.network, position_).max_strain;
-    }
+    mass_spring::Energy energy() const noexcept { return system_->energy(position_, velocity_); }
 
     double residual() const {
         const std::vector<Vec3> rest(position_.size());
@@ -198,9 +190,6 @@ private:
     std::vector<Vec3> external_;      // N, of this frame
     double radius_ = 0;               // m, from the center to the farthest particle
     double start_residual_ = 0;       // N
-    double energy_ = 0;
-    double kinetic_energy_ = 0;
-    double max_strain_ = 0;
 };
 
 }  // namespace orbweaver::web

@@ -16,7 +16,7 @@ Telemetry::Telemetry(const Session& session, const std::string& path) : session_
 
 void Telemetry::record() {
     std::string row = fmt::format("{},{}", session_.frame(), session_.time());
-    for (const double* value : values_) row += fmt::format(",{}", *value);
+    for (const auto& value : values_) row += fmt::format(",{}", value());
     file_.write(row + fmt::format(",{:016x}\n", session_.state_hash()));
 }
 

@@ -18,7 +18,7 @@ public:
 private:
     const Session& session_;
     AtomicFile file_;
-    std::vector<const double*> values_;
+    std::vector<std::function<double()>> values_;
 };
 
 }  // namespace orbweaver

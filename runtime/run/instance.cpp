@@ -76,8 +76,8 @@ void Instance::log(LogLevel level, std::string_view sentence) {
     spdlog::log(levels[static_cast<std::size_t>(level)], "{}: {}", planned_.instance, sentence);
 }
 
-void Instance::telemetry(std::string name, std::string unit, const double* value) {
-    telemetry_.push_back({std::move(name), std::move(unit), value});
+void Instance::telemetry(std::string name, std::string unit, std::function<double()> value) {
+    telemetry_.push_back({std::move(name), std::move(unit), std::move(value)});
 }
 
 void Instance::provide_contract(std::string_view contract, void* implementation) {

@@ -18,7 +18,7 @@ using Contracts = std::map<std::string, std::vector<void*>, std::less<>>;
 struct TelemetryColumn {
     std::string name;
     std::string unit;
-    const double* value = nullptr;
+    std::function<double()> value;
 };
 
 /// One module instance with all that the host keeps for it. Every call of the module goes through here:
@@ -52,7 +52,7 @@ public:
     StateStore& state() noexcept override { return state_; }
     void log(LogLevel level, std::string_view sentence) override;
     void report_fault(Diagnostic fault) override { faults_.push_back(std::move(fault)); }
-    void telemetry(std::string name, std::string unit, const double* value) override;
+    void telemetry(std::string name, std::string unit, std::function<double()> value) override;
 
 protected:
     void provide_contract(std::string_view contract, void* implementation) override;

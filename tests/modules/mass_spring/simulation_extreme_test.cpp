@@ -21,7 +21,6 @@ std::string outcome_of(Body body, const char* method, double step, OnUnstable po
     settings.method = find_method(method);
     settings.step = step;
     settings.on_unstable = policy;
-    settings.owner = "web";
     std::string outcome = "done";
     try {
         Simulation run(system, settings, 1.0 / 60, body.x, body.v);
@@ -60,20 +59,20 @@ TEST_CASE("extreme constants are refused or substepped, never run into nonsense"
 
     const Case cases[] = {
         {"stiffness x 1e12", stiff, "rk4", 0, OnUnstable::substep,
-         "web: a frame of 16.67 ms would take 1.29e+06 steps of 12.92 ns; expected at most 100000; lower "
+         "a frame of 16.67 ms would take 1.29e+06 steps of 12.92 ns; expected at most 100000; lower "
          "stiffness, "
          "damping or drag, or raise the masses, first of all at spring 4"},
         {"stiffness x 1e12, as asked", stiff, "rk4", 1e-3, OnUnstable::as_asked,
-         "web: the position of particle 1 left for more than a million times the extent at t = 1.961 ms (frame "
+         "the position of particle 1 left for more than a million times the extent at t = 1.961 ms (frame "
          "0, "
          "step 2 of 17, each 980.4 us); the state at t = 0 s is kept; the largest stable step of rk4 is 14.36 "
          "ns, "
          "set by a mode of 1.97e+08 rad/s with a damping rate of 1 /s, strongest in spring 4"},
         {"mass 1e-15", light, "rk4", 0, OnUnstable::substep,
-         "web: a frame of 16.67 ms would take 6.649e+06 steps of 2.507 ns; expected at most 100000; lower "
+         "a frame of 16.67 ms would take 6.649e+06 steps of 2.507 ns; expected at most 100000; lower "
          "stiffness, damping or drag, or raise the masses"},
         {"mass 1e-15, as asked", light, "symplectic_euler", 1e-3, OnUnstable::as_asked,
-         "web: the position of particle 4 left for more than a million times the extent at t = 2.941 ms (frame "
+         "the position of particle 4 left for more than a million times the extent at t = 2.941 ms (frame "
          "0, "
          "step 3 of 17, each 980.4 us); the state at t = 0 s is kept; the largest stable step of "
          "symplectic_euler "
@@ -84,14 +83,14 @@ TEST_CASE("extreme constants are refused or substepped, never run into nonsense"
         {"one particle alone, explicit Euler", alone, "explicit_euler", 0, OnUnstable::stop, "done in 100"},
         {"step 10 s", small_thread(), "rk4", 10, OnUnstable::substep, "done in 200"},
         {"step 10 s, stop", stiff, "rk4", 10, OnUnstable::stop,
-         "web: the asked step of 16.67 ms is longer than the largest stable one of rk4, 14.36 ns, set by "
+         "the asked step of 16.67 ms is longer than the largest stable one of rk4, 14.36 ns, set by "
          "spring 4; "
          "ask for a shorter step, or for on_unstable = \"substep\""},
         {"step 1e-12 s", small_thread(), "rk4", 1e-12, OnUnstable::substep,
-         "web: a frame of 16.67 ms would take 1.667e+10 steps of 0.001 ns; expected at most 100000; ask for a "
+         "a frame of 16.67 ms would take 1.667e+10 steps of 0.001 ns; expected at most 100000; ask for a "
          "longer step"},
         {"undamped explicit Euler", undamped, "explicit_euler", 0, OnUnstable::substep,
-         "web: no step of explicit_euler is stable on an oscillation of 1 rad/s that nothing damps, strongest "
+         "no step of explicit_euler is stable on an oscillation of 1 rad/s that nothing damps, strongest "
          "in "
          "spring 0; choose symplectic_euler or rk4, or add drag and damping"},
     };

@@ -47,7 +47,7 @@ TEST_CASE("restoring rebuilds what modules derive from their state", "[unit]") {
     const OpenedScene resumed(kScene, {"counter"});
     restore_snapshot(*resumed.session, save_snapshot(*whole.session), "the snapshot");
     const auto x = [](const OpenedScene& scene) {
-        return *scene.session->instances().front()->telemetry_columns().front().value;
+        return scene.session->instances().front()->telemetry_columns().front().value();
     };
     CHECK(x(whole) != 0);
     CHECK(x(resumed) == x(whole));

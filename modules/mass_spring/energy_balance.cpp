@@ -1,0 +1,26 @@
+#include "energy_balance.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace orbweaver::mass_spring {
+
+EnergyBalance balance_energy(const SpringSystem& system, std::span<const Vec3> x0, std::span<const Vec3> v0,
+                             std::span<const Vec3> x1, std::span<const Vec3> v1) noexcept {
+    constexpr double kRounding = 1e-9;
+    const Energy before = system.energy(x0, v0);
+    const Energy after = system.energy(x1, v1);
+    double work = 0;
+    for (std::size_t i = 0; i < x0.size(); ++i) work += dot(system.external_force(i), x1[i] - x0[i]);
+
+    EnergyBalance balance;
+    balance.gain = after.total() - before.total() - work;
+    balance.turnover = before.kinetic + after.kinetic + std::abs(work);
+    balance.rounding =
+        kRounding * (before.elastic + after.elastic + std::abs(before.potential) + std::abs(after.potential));
+    if (!std::isfinite(balance.gain)) balance.gain = std::numeric_limits<double>::infinity();
+    if (!std::isfinite(balance.turnover)) balance.turnover = 0;
+    return balance;
+}
+
+}  // namespace orbweaver::mass_spring

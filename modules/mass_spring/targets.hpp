@@ -1,0 +1,26 @@
+#pragma once
+
+/// Code for several instruction sets from one source: what is always inlined takes the instructions of the
+/// function that it ends up in.
+#define ORBWEAVER_ALWAYS_INLINE __attribute__((always_inline))
+#define ORBWEAVER_INLINE inline ORBWEAVER_ALWAYS_INLINE
+
+#if defined(__x86_64__)
+// Without FMA: a fused multiply-add rounds once where two instructions round twice, and the bits would
+// depend on the machine.
+#define ORBWEAVER_AVX2 __attribute__((target("avx2")))
+#else
+#define ORBWEAVER_AVX2
+#endif
+
+namespace orbweaver::mass_spring {
+
+inline bool has_avx2() noexcept {
+#if defined(__x86_64__)
+    return __builtin_cpu_supports("avx2") != 0;
+#else
+    return false;
+#endif
+}
+
+}  // namespace orbweaver::mass_spring
