@@ -18,8 +18,8 @@ TEST_CASE("telemetry has a row a frame, every column of every module, and the ha
         if (i > 0) opened.run(1);
         telemetry.record();
         std::vector<std::string> row{std::to_string(i)};
-        for (const double value : {i * 0.1, *opened.session->instances()[0]->telemetry_columns()[0].value,
-                                   *opened.session->instances()[1]->telemetry_columns()[0].value}) {
+        for (const double value : {i * 0.1, opened.session->instances()[0]->telemetry_columns()[0].value(),
+                                   opened.session->instances()[1]->telemetry_columns()[0].value()}) {
             char text[32];
             std::snprintf(text, sizeof text, "%.17g", value);
             row.emplace_back(text);
