@@ -25,9 +25,9 @@ Trajectory::Trajectory(const Session& session, std::string directory)
             const bool words = std::holds_alternative<std::vector<std::uint64_t>>(entry.data);
             std::vector<std::size_t> shape{entry.count()};
             if (vectors) shape.push_back(3);
-            tracks_.push_back(
-                {std::make_unique<NpyWriter>(directory_ + "/" + name + ".npy", words ? "<u8" : "<f8", shape),
-                 &entry, name});
+            auto file =
+                std::make_unique<NpyWriter>(directory_ + "/" + name + ".npy", words ? "<u8" : "<f8", shape);
+            tracks_.push_back({std::move(file), &entry, name});
         }
 }
 

@@ -6,19 +6,19 @@
 
 namespace orbweaver {
 
-std::size_t StateBlock::Entry::count() const noexcept {
+std::size_t StateBlock::Entry::count() const {
     return std::visit([](const auto& v) { return v.size(); }, data);
 }
 
-std::size_t StateBlock::Entry::bytes() const noexcept {
+std::size_t StateBlock::Entry::bytes() const {
     return std::visit([](const auto& v) { return v.size() * sizeof(v[0]); }, data);
 }
 
-const void* StateBlock::Entry::memory() const noexcept {
+const void* StateBlock::Entry::memory() const {
     return std::visit([](const auto& v) { return static_cast<const void*>(v.data()); }, data);
 }
 
-void* StateBlock::Entry::memory() noexcept {
+void* StateBlock::Entry::memory() {
     return std::visit([](auto& v) { return static_cast<void*>(v.data()); }, data);
 }
 
@@ -41,7 +41,7 @@ std::span<std::uint64_t> StateBlock::words(std::string_view name, std::size_t co
     return make<std::uint64_t>(name, count, std::move(info));
 }
 
-std::size_t StateBlock::bytes() const noexcept {
+std::size_t StateBlock::bytes() const {
     std::size_t sum = 0;
     for (const Entry& entry : entries_) sum += entry.bytes();
     return sum;

@@ -18,10 +18,10 @@ public:
         ArrayInfo info;
         std::variant<std::vector<Vec3>, std::vector<double>, std::vector<std::uint64_t>> data;
 
-        std::size_t count() const noexcept;
-        std::size_t bytes() const noexcept;
-        const void* memory() const noexcept;
-        void* memory() noexcept;
+        std::size_t count() const;
+        std::size_t bytes() const;
+        const void* memory() const;
+        void* memory();
     };
 
     std::span<Vec3> vectors(std::string_view name, std::size_t count, ArrayInfo info) override;
@@ -30,7 +30,7 @@ public:
 
     const std::deque<Entry>& entries() const noexcept { return entries_; }
     std::deque<Entry>& entries() noexcept { return entries_; }
-    std::size_t bytes() const noexcept;
+    std::size_t bytes() const;
 
 private:
     template <class T>

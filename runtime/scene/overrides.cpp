@@ -78,7 +78,7 @@ void relocate(Node& node, const Location& where) {
 
 }  // namespace
 
-void set_value(Node& scene, const std::string& path, Node value) { put(scene, path, value); }
+void set_value(Node& scene, const std::string& path, const Node& value) { put(scene, path, value); }
 
 void apply_override(Node& scene, const std::string& assignment) {
     const auto equals = assignment.find('=');
@@ -91,7 +91,7 @@ void apply_override(Node& scene, const std::string& assignment) {
     const std::string name = "--set " + path;
     Node value = parse_value(assignment.substr(equals + 1), name);
     relocate(value, {name, 0, 0});
-    set_value(scene, path, std::move(value));
+    set_value(scene, path, value);
 }
 
 }  // namespace orbweaver

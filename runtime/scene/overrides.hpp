@@ -12,6 +12,6 @@ namespace orbweaver {
 void apply_override(Node& scene, const std::string& assignment);
 
 /// Puts a value at a dotted path, as apply_override does; `where` is what diagnostics will call it.
-void set_value(Node& scene, const std::string& path, Node value);
+void set_value(Node& scene, const std::string& path, const Node& value);
 
 }  // namespace orbweaver

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 
@@ -59,7 +60,7 @@ constexpr ModuleDescriptor describe(const char* manifest) noexcept {
         manifest,
         [](FaultRecord& fault) noexcept -> Module* {
             Module* made = nullptr;
-            guarded(fault, [&] { made = new M; });
+            guarded(fault, [&] { made = std::make_unique<M>().release(); });
             return made;
         },
         [](Module* module) noexcept { delete module; },
