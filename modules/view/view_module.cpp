@@ -107,7 +107,8 @@ Camera View::home_camera(Host& host) const {
     const double aspect = static_cast<double>(width()) / height();
     Camera camera = frame_points(points, target, options.number("camera.fov"), aspect);
     if (options.has("camera.position")) camera.position = options.vector("camera.position");
-    if (camera.position == camera.target)
+    constexpr double kTooNear = 1e-9;  // of the distance from the origin: no direction is left beside rounding
+    if (distance(camera.position, camera.target) <= kTooNear * (1 + norm(camera.target)))
         host.report_fault({options.where("camera.position"), "camera.position is where camera.target is",
                            "two different points", "move the camera away from what it looks at"});
     return camera;

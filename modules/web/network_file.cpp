@@ -94,14 +94,14 @@ public:
     }
 
 private:
-    const json* array(const char* key) {
+    const json* array(const char* key, const char* expected = "an array") {
         const auto found = root_.find(key);
         if (found == root_.end()) {
             faults_.add(fmt::format("{} is missing", key), kForm);
             return nullptr;
         }
         if (found->is_array()) return &*found;
-        faults_.add(fmt::format("{} is {}", key, show(*found)), "an array");
+        faults_.add(fmt::format("{} is {}", key, show(*found)), expected);
         return nullptr;
     }
 
@@ -134,7 +134,7 @@ private:
             mass.assign(count, found->get<double>());
             return;
         }
-        const json* values = array("masses");
+        const json* values = array("masses", "an array, or one number for all");
         if (values == nullptr) return;
         if (values->size() != count)
             faults_.add(fmt::format("masses has {} elements for {} particles", values->size(), count),

@@ -121,8 +121,10 @@ std::optional<Web> build_web(const Options& options, const Vec3& gravity, const 
         web = read_network(options.text("network"), faults);
     else
         web = build_orb(options, gravity, irregularity, faults);
-    if (web && !check_sound(*web, faults)) web.reset();
     place(faults, first, options.where(source));
+    const std::size_t built = faults.size();
+    if (web && !check_sound(*web, faults)) web.reset();
+    place(faults, built, options.where(options.has("network") ? "network" : "particle_mass"));
     return web;
 }
 

@@ -18,6 +18,40 @@ fs::path program_directory() {
     return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
+std::vector<std::string> manifest_paths(const std::string& directory, Diagnostics& faults) {
+    std::vector<std::string> paths;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(directory, error))
+        if (entry.path().extension() == ".toml") paths.push_back(entry.path().string());
+    if (error)
+        faults.push_back({{directory, 0, 0},
+                          "modules cannot be searched here: " + error.message(),
+                          "a folder",
+                          "correct --modules or ORBWEAVER_MODULES"});
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+/// Whether `table` has nobody to answer to it yet.
+bool is_free(const Catalog& catalog, const std::string& table) {
+    return table.empty() ||
+           (table != "scene" && std::none_of(catalog.manifests.begin(), catalog.manifests.end(),
+                                             [&](const Manifest& m) { return m.table == table; }));
+}
+
+void add_manifest(const std::string& path, Catalog& catalog) {
+    auto manifest = read_manifest(path, catalog.faults);
+    if (!manifest || find(catalog, manifest->id) != nullptr) return;
+    if (!is_free(catalog, manifest->table)) {
+        catalog.faults.push_back({{path, 0, 0},
+                                  fmt::format("another module answers to [{}] already", manifest->table),
+                                  "one module for each table",
+                                  "remove one of the two, or search fewer folders"});
+        return;
+    }
+    catalog.manifests.push_back(std::move(*manifest));
+}
+
 }  // namespace
 
 std::vector<std::string> module_directories(const std::vector<std::string>& asked) {
@@ -51,23 +85,7 @@ Catalog read_catalog(const std::vector<std::string>& directories) {
         const fs::path place = fs::weakly_canonical(directory, error);
         if (std::find(searched.begin(), searched.end(), place) != searched.end()) continue;
         searched.push_back(place);
-        std::vector<std::string> paths;
-        for (const auto& entry : fs::directory_iterator(directory, error))
-            if (entry.path().extension() == ".toml") paths.push_back(entry.path().string());
-        std::sort(paths.begin(), paths.end());
-        for (const std::string& path : paths) {
-            auto manifest = read_manifest(path, catalog.faults);
-            if (!manifest) continue;
-            if (const Manifest* first = find(catalog, manifest->id)) {
-                catalog.faults.push_back(
-                    {{path, 0, 0},
-                     fmt::format("module '{}' is already there, from {}", manifest->id, first->path),
-                     "one manifest for each id",
-                     "remove one of the two, or search fewer folders"});
-                continue;
-            }
-            catalog.manifests.push_back(std::move(*manifest));
-        }
+        for (const std::string& path : manifest_paths(directory, catalog.faults)) add_manifest(path, catalog);
     }
     std::sort(catalog.manifests.begin(), catalog.manifests.end(),
               [](const Manifest& a, const Manifest& b) { return a.id < b.id; });

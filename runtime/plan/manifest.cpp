@@ -203,10 +203,13 @@ std::optional<Manifest> parse_manifest(const std::string& text, const std::strin
 }
 
 std::optional<Manifest> read_manifest(const std::string& path, Diagnostics& faults) {
-    std::ifstream file(path, std::ios::binary);
+    std::error_code error;
+    const bool regular = std::filesystem::is_regular_file(path, error);
+    std::ifstream file;
     std::stringstream text;
-    text << file.rdbuf();
-    if (!file || !std::filesystem::is_regular_file(path)) {
+    if (regular) file.open(path, std::ios::binary);
+    if (regular) text << file.rdbuf();
+    if (!regular || !file) {
         faults.push_back({{path, 0, 0}, "this manifest cannot be read", "a TOML file", ""});
         return std::nullopt;
     }

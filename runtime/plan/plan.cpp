@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <deque>
+#include <map>
 
+#include "plan/attach_order.hpp"
 #include "plan/scene_table.hpp"
 #include "scene/nearest_name.hpp"
 
@@ -47,6 +48,7 @@ public:
             if (member.key != "scene") read_table(member);
         add_requested();
         add_providers();
+        check_window();
         check_contracts();
         sort_modules();
         list_left_out();
@@ -59,6 +61,9 @@ private:
                                         [&](const Manifest& m) { return m.table == member.key; });
         if (found == catalog_.manifests.end()) return report_unknown_table(member);
         if (const Array* array = member.node.array()) {
+            if (array->empty())
+                plan_.faults.push_back(
+                    {member.where, fmt::format("'{}' is an empty array", member.key), "a table", ""});
             if (!found->several && array->size() > 1)
                 plan_.faults.push_back({member.where,
                                         fmt::format("there are {} [[{}]]", array->size(), member.key),
@@ -132,7 +137,25 @@ private:
         }
     }
 
+    // Nothing needs a window: it is the request that asks for one, and a scene that draws that brings it.
+    void check_window() {
+        const auto shows = [](const PlannedModule& m) { return m.manifest->when == "window"; };
+        if (!request_.window || std::any_of(plan_.modules.begin(), plan_.modules.end(), shows)) return;
+        std::string remedy;
+        for (const Manifest& canvas : catalog_.manifests)
+            for (const Manifest& drawer : catalog_.manifests)
+                if (canvas.when == "window" && !drawer.table.empty() && wants(drawer, canvas))
+                    remedy = fmt::format("add [{}] to the scene", drawer.table);
+        plan_.faults.push_back({{path_, 0, 0},
+                                "a window was asked for (--window), and nothing in this plan draws into one",
+                                "",
+                                remedy});
+    }
+
     void check_contracts() {
+        for (const PlannedModule& module : plan_.modules)
+            for (const std::string& contract : module.manifest->provides)
+                providers_[contract].push_back(module.instance);
         for (const PlannedModule& consumer : plan_.modules) {
             for (const std::string& contract : consumer.manifest->needs)
                 check_providers(consumer, contract, true);
@@ -142,9 +165,7 @@ private:
     }
 
     void check_providers(const PlannedModule& consumer, const std::string& contract, bool needed) {
-        std::vector<std::string> names;
-        for (const PlannedModule& module : plan_.modules)
-            if (contains(module.manifest->provides, contract)) names.push_back(module.instance);
+        const std::vector<std::string>& names = providers_[contract];
         if (names.size() > 1)
             plan_.faults.push_back({{path_, 0, 0},
                                     fmt::format("'{}' takes {} from one module, and {} provide it",
@@ -168,43 +189,15 @@ private:
              remedy});
     }
 
-    static bool wants(const Manifest& consumer, const Manifest& provider) {
-        for (const auto* wanted : {&consumer.needs, &consumer.uses, &consumer.collects})
-            for (const std::string& contract : *wanted)
-                if (contains(provider.provides, contract)) return true;
-        return false;
-    }
-
-    // Repeatedly takes the first module by name whose providers are all placed.
     void sort_modules() {
-        auto& modules = plan_.modules;
-        std::stable_sort(modules.begin(), modules.end(),
-                         [](const auto& a, const auto& b) { return a.instance < b.instance; });
-        std::vector<PlannedModule> sorted;
-        while (!modules.empty()) {
-            const auto ready = std::find_if(modules.begin(), modules.end(), [&](const PlannedModule& consumer) {
-                return std::none_of(modules.begin(), modules.end(), [&](const PlannedModule& provider) {
-                    return &provider != &consumer && wants(*consumer.manifest, *provider.manifest);
-                });
-            });
-            if (ready == modules.end()) return report_cycle(std::move(sorted));
-            sorted.push_back(std::move(*ready));
-            modules.erase(ready);
-        }
-        modules = std::move(sorted);
-    }
-
-    void report_cycle(std::vector<PlannedModule> sorted) {
-        std::vector<std::string> names;
-        for (PlannedModule& module : plan_.modules) {
-            names.push_back(module.instance);
-            sorted.push_back(std::move(module));
-        }
-        plan_.modules = std::move(sorted);
-        plan_.faults.push_back({{path_, 0, 0},
-                                fmt::format("{} need each other in a circle", join_names(names, " and ")),
-                                "providers that come before their consumers",
-                                "leave one of them out"});
+        AttachOrder order = attach_order(std::move(plan_.modules));
+        plan_.modules = std::move(order.modules);
+        if (order.circle.empty()) return;
+        plan_.faults.push_back(
+            {{path_, 0, 0},
+             fmt::format("{} need each other in a circle", join_names(order.circle, " and ")),
+             "providers that come before their consumers",
+             "leave one of them out"});
     }
 
     void list_left_out() {
@@ -228,6 +221,7 @@ private:
     const Request& request_;
     AssetPaths paths_;
     Plan plan_;
+    std::map<std::string, std::vector<std::string>> providers_;  // instances, by contract
     std::vector<const Manifest*> unasked_;
 };
 

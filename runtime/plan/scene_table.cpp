@@ -1,5 +1,7 @@
 #include "plan/scene_table.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "orbweaver/fault.hpp"
@@ -42,6 +44,8 @@ default = [0, -9.81, 0]
 meaning = "acceleration of free fall; y is up"
 )";
 
+constexpr double kMostFrames = 1e9;
+
 const Manifest& scene_manifest() {
     static const Manifest manifest = [] {
         Diagnostics faults;
@@ -68,6 +72,11 @@ SceneInfo read_scene_table(const Node& scene, const std::string& path, Diagnosti
     if (faults.size() > before) return info;
     info.duration = options.number("duration");
     info.step = options.number("step");
+    if (info.duration / info.step > kMostFrames)
+        faults.push_back({options.where("step"),
+                          fmt::format("{} s in frames of {} s are {:.3g} frames", info.duration, info.step,
+                                      info.duration / info.step),
+                          fmt::format("at most {:g}", kMostFrames), "take longer frames, or fewer"});
     info.seed = static_cast<std::uint64_t>(options.integer("seed"));
     info.gravity = options.vector("gravity");
     return info;

@@ -1,6 +1,7 @@
 #include "run/snapshot.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <cstddef>
 #include <cstring>
@@ -25,8 +26,10 @@ struct Header {
     std::uint64_t checksum;    // XXH3 of everything behind it
     std::uint64_t frame;
     std::uint64_t arrays;
+    double step;          // s, of a frame
+    std::uint64_t setup;  // XXH3 of seed, gravity and all options
 };
-constexpr std::uint32_t kVersion1 = 1;
+constexpr std::uint32_t kSnapshotVersion = 2;
 constexpr std::uint32_t kByteOrder = 0x01020304;
 
 void append(std::string& to, const void* data, std::size_t size) {
@@ -69,17 +72,52 @@ Header check_header(std::string_view bytes, const std::string& name) {
         throw Fault(FaultKind::invalid,
                     fmt::format("{}: this is not a snapshot; expected a file that --save-state wrote", name));
     std::memcpy(&header, bytes.data(), sizeof header);
-    if (header.version != kVersion1 || header.byte_order != kByteOrder)
+    if (header.version != kSnapshotVersion || header.byte_order != kByteOrder)
         throw Fault(FaultKind::invalid,
                     fmt::format("{}: the snapshot has version {} and byte order {:08x}; expected {} and "
                                 "{:08x}; save it again with "
                                 "this program",
-                                name, header.version, header.byte_order, kVersion1, kByteOrder));
+                                name, header.version, header.byte_order, kSnapshotVersion, kByteOrder));
     if (checksum(bytes) != header.checksum)
         throw Fault(
             FaultKind::invalid,
             fmt::format("{}: the snapshot is damaged: its checksum does not match; save it again", name));
     return header;
+}
+
+struct ValueText {
+    std::string operator()(bool v) const { return v ? "true" : "false"; }
+    std::string operator()(std::int64_t v) const { return fmt::format("{}", v); }
+    std::string operator()(double v) const { return fmt::format("{:a}", v); }
+    std::string operator()(const std::string& v) const { return fmt::format("{}:{}", v.size(), v); }
+    std::string operator()(const Vec3& v) const { return fmt::format("{:a} {:a} {:a}", v.x, v.y, v.z); }
+    template <class T>
+    std::string operator()(const std::vector<T>& list) const {
+        std::string text;
+        for (const T& each : list) text += (*this)(each) + ",";
+        return text;
+    }
+};
+
+/// What a run's future depends on besides its state.
+std::uint64_t setup_of(const Session& session) {
+    const ValueText text;
+    std::string all = fmt::format("{} {}\n", session.scene().seed, text(session.scene().gravity));
+    for (const auto& instance : session.instances()) {
+        all += instance->instance_name() + "\n";
+        for (const auto& [key, entry] : instance->options().entries())
+            all += fmt::format("{}={}\n", key, std::visit(text, entry.value));
+    }
+    return XXH3_64bits(all.data(), all.size());
+}
+
+void check_step(const Header& header, const Session& session, const std::string& name) {
+    const double step = session.scene().step;
+    if (header.step == step) return;
+    throw Fault(FaultKind::invalid,
+                fmt::format("{}: the snapshot was saved in frames of {} s and this run's are of {} s; run with "
+                            "--step {}",
+                            name, header.step, step, header.step));
 }
 
 }  // namespace
@@ -88,9 +126,11 @@ std::string save_snapshot(const Session& session) {
     std::string body;
     Header header{};
     std::memcpy(header.magic, kMagic, sizeof kMagic);
-    header.version = kVersion1;
+    header.version = kSnapshotVersion;
     header.byte_order = kByteOrder;
     header.frame = session.frame();
+    header.step = session.scene().step;
+    header.setup = setup_of(session);
     for (const auto& instance : session.instances())
         for (const StateBlock::Entry& entry : instance->block().entries()) {
             const std::string name = instance->instance_name() + "/" + entry.name;
@@ -108,8 +148,9 @@ std::string save_snapshot(const Session& session) {
     return bytes;
 }
 
-void restore_snapshot(Session& session, std::string_view bytes, const std::string& name) {
+bool restore_snapshot(Session& session, std::string_view bytes, const std::string& name) {
     const Header header = check_header(bytes, name);
+    check_step(header, session, name);
     // Two passes, so that a snapshot that does not fit leaves the session as it was.
     for (const bool copying : {false, true}) {
         Reader reader(bytes.substr(sizeof header), name);
@@ -138,6 +179,7 @@ void restore_snapshot(Session& session, std::string_view bytes, const std::strin
     }
     session.set_frame(header.frame);
     for (const auto& instance : session.instances()) instance->restored();
+    return header.setup == setup_of(session);
 }
 
 void write_snapshot_file(const Session& session, const std::string& path) {
@@ -148,12 +190,18 @@ void write_snapshot_file(const Session& session, const std::string& path) {
 
 void read_snapshot_file(Session& session, const std::string& path) {
     std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error))
+        throw Fault(FaultKind::invalid,
+                    fmt::format("{}: this is no file; expected a snapshot that --save-state wrote", path));
     std::ifstream file(path, std::ios::binary);
     std::stringstream bytes;
     bytes << file.rdbuf();
-    if (!file || std::filesystem::is_directory(path, error))
+    if (!file)
         throw Fault(FaultKind::invalid, fmt::format("{}: the snapshot cannot be read; check the path", path));
-    restore_snapshot(session, bytes.str(), path);
+    if (!restore_snapshot(session, bytes.str(), path))
+        spdlog::warn(
+            "{}: the snapshot was saved with another seed or other options; it goes on with those given here",
+            path);
 }
 
 }  // namespace orbweaver

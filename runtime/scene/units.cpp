@@ -30,7 +30,7 @@ struct Prefix {
     std::string_view name;
     int exponent;
 };
-constexpr Prefix kPrefixes[] = {{"n", -9}, {"u", -6}, {"\xC2\xB5", -6}, {"m", -3},
+constexpr Prefix kPrefixes[] = {{"n", -9}, {"u", -6}, {"\xC2\xB5", -6}, {"\xCE\xBC", -6}, {"m", -3},
                                 {"c", -2}, {"k", 3},  {"M", 6},         {"G", 9}};
 
 std::optional<Unit> find_symbol(std::string_view name) {

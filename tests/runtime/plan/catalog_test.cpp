@@ -1,6 +1,7 @@
 #include "plan/catalog.hpp"
 
 #include <stdlib.h>
+#include <sys/stat.h>
 
 #include <catch2/catch.hpp>
 
@@ -15,7 +16,7 @@ TEST_CASE("a catalog holds every manifest of its folders, by id", "[unit]") {
     one.add("web", "");
     one.add("ant", "");
     other.add("bee", "");
-    const Catalog catalog = read_catalog({one.path(), "/nowhere", other.path()});
+    const Catalog catalog = read_catalog({one.path(), other.path()});
     CHECK(catalog.faults.empty());
     REQUIRE(catalog.manifests.size() == 3);
     CHECK(catalog.manifests[0].id == "ant");
@@ -23,20 +24,51 @@ TEST_CASE("a catalog holds every manifest of its folders, by id", "[unit]") {
     CHECK(catalog.manifests[2].id == "web");
     CHECK(find(catalog, "bee")->library == other.path() + "/bee.so");
     CHECK(find(catalog, "fly") == nullptr);
-    CHECK(catalog.directories == std::vector<std::string>{one.path(), "/nowhere", other.path()});
+    CHECK(catalog.directories == std::vector<std::string>{one.path(), other.path()});
 }
 
-TEST_CASE("an id met twice is a fault, and the folder searched first wins", "[unit]") {
+TEST_CASE("of modules with one id, the folder searched first wins", "[unit]") {
     ManifestFolder one;
     ManifestFolder other;
-    one.add("web", "");
-    other.add("web", "");
+    one.add("web", "table = \"web\"");
+    other.add("web", "table = \"web\"");
     const Catalog catalog = read_catalog({one.path(), other.path()});
-    REQUIRE(catalog.faults.size() == 1);
-    CHECK(to_string(catalog.faults.front()) ==
-          other.path() + "/web.toml: module 'web' is already there, from " + one.path() +
-              "/web.toml; expected one manifest for each id; remove one of the two, or search fewer folders");
+    CHECK(catalog.faults.empty());
+    CHECK(catalog.manifests.size() == 1);
     CHECK(find(catalog, "web")->path == one.path() + "/web.toml");
+}
+
+TEST_CASE("two modules that answer to one table are a fault, and so is one that answers to the scene's own", "[unit]") {
+    ManifestFolder one;
+    one.add("breeze", "table = \"wind\"");
+    one.add("stage", "table = \"scene\"");
+    one.add("wind", "table = \"wind\"");
+    const Catalog catalog = read_catalog({one.path()});
+    REQUIRE(catalog.faults.size() == 2);
+    CHECK(to_string(catalog.faults[0]) ==
+          one.path() +
+              "/stage.toml: another module answers to [scene] already; expected one module for each "
+              "table; remove one of the two, or search fewer folders");
+    CHECK(catalog.faults[1].where.file == one.path() + "/wind.toml");
+    CHECK(catalog.manifests.size() == 1);
+}
+
+TEST_CASE("a folder that cannot be searched is a fault", "[unit]") {
+    const Folder other;
+    other.write("file", "text");
+    for (const std::string& place : {other.path("nowhere"), other.path("file")}) {
+        const Catalog catalog = read_catalog({place});
+        REQUIRE(catalog.faults.size() == 1);
+        CHECK(to_string(catalog.faults.front()).rfind(place + ": modules cannot be searched here: ", 0) == 0);
+    }
+}
+
+TEST_CASE("a manifest that is no file is a fault, and is not read", "[extreme]") {
+    const Folder other;
+    REQUIRE(::mkfifo(other.path("pipe.toml").c_str(), 0600) == 0);
+    const Catalog catalog = read_catalog({other.path()});
+    REQUIRE(catalog.faults.size() == 1);
+    CHECK(to_string(catalog.faults.front()).find("this manifest cannot be read") != std::string::npos);
 }
 
 TEST_CASE("a folder that is named twice, however spelled, is searched once", "[unit]") {

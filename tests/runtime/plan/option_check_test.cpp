@@ -163,7 +163,7 @@ TEST_CASE("a value that is wrong is named with its place and what would be right
     const Case cases[] = {
         {"flag = 1", "1:8: 'flag' is 1; expected true or false"},
         {"count = 6", "1:9: 'count' is 6; expected an integer at least 1 and at most 5"},
-        {"count = 2.0", "1:9: 'count' is 2; expected an integer at least 1 and at most 5"},
+        {"count = 2.0", "1:9: 'count' is 2.0; expected an integer at least 1 and at most 5"},
         {"count = \"2\"", "1:9: 'count' is \"2\"; expected an integer at least 1 and at most 5"},
         {"drag = 0", std::string("1:8: 'drag' is 0; expected ") + kNumberOfDrag},
         {"drag = 1", std::string("1:8: 'drag' is 1; expected ") + kNumberOfDrag},

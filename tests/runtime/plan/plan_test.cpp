@@ -90,6 +90,16 @@ TEST_CASE("providers come before consumers, ties by name, whatever the scene's o
     CHECK(order("[z]\n[c]\n[[b]]\n[[b]]\n[a]\n") == expected);
 }
 
+TEST_CASE("a window is asked for in vain where nothing draws into one", "[unit]") {
+    const ManifestFolder folder = world();
+    Request window;
+    window.window = true;
+    CHECK(Planned(folder.catalog(), "[view]\n", window).faults() == Texts{});
+    CHECK(Planned(folder.catalog(), "[web]\n", window).faults() ==
+          Texts{"scene.toml: a window was asked for (--window), and nothing in this plan draws into one; add "
+                "[view] to the scene"});
+}
+
 TEST_CASE("several tables of one name become instances by number", "[unit]") {
     const ManifestFolder folder = world();
     const Planned planned(folder.catalog(), "[[web]]\n[[web]]\n[[web]]\n");
@@ -100,6 +110,8 @@ TEST_CASE("several tables of one name become instances by number", "[unit]") {
           "scene.toml:1:3: there are 2 [[wind]]; expected one [wind]");
     CHECK(Planned(folder.catalog(), "web = 3\n").faults() ==
           Texts{"scene.toml:1:7: this is 3; expected a table"});
+    CHECK(Planned(folder.catalog(), "web = []\n").faults() ==
+          Texts{"scene.toml:1:1: 'web' is an empty array; expected a table"});
     CHECK(Planned(folder.catalog(), "web = [3]\n").faults() ==
           Texts{"scene.toml:1:8: this is 3; expected a table"});
 }
@@ -112,11 +124,12 @@ TEST_CASE("a table that no module answers to is named with its place, the neares
                 "you mean "
                 "[wind]? modules were searched in " +
                 folder.path()});
-    CHECK(Planned(read_catalog({folder.path(), "/nowhere"}), "[helicopter]\n").faults() ==
+    const ManifestFolder empty;
+    CHECK(Planned(read_catalog({folder.path(), empty.path()}), "[helicopter]\n").faults() ==
           Texts{"scene.toml:1:2: no module answers to [helicopter]; expected one of scene, view, web or wind; "
                 "modules "
                 "were searched in " +
-                folder.path() + ", /nowhere"});
+                folder.path() + ", " + empty.path()});
 }
 
 TEST_CASE("a need that nothing meets names who could meet it", "[unit]") {

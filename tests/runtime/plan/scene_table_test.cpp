@@ -80,3 +80,15 @@ TEST_CASE("a clock that cannot run is refused with its place", "[extreme]") {
     CHECK(sentences(faults) == std::vector<std::string>{"s.toml:1:9: this is 3; expected a table",
                                                         "s.toml:1:1: this is an array of 1; expected a table"});
 }
+
+TEST_CASE("more frames than anybody could wait for are refused", "[extreme]") {
+    for (const char* text :
+         {"[scene]\nduration = 1\nstep = 1e-300\n", "[scene]\nduration = 1e6\nstep = 1e-12\n"}) {
+        Diagnostics faults;
+        read(text, faults);
+        REQUIRE(faults.size() == 1);
+        CHECK(to_string(faults.front()).find("expected at most 1e+09; take longer frames, or fewer") !=
+              std::string::npos);
+        CHECK(faults.front().where.line == 3);
+    }
+}

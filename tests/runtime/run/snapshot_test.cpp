@@ -1,5 +1,7 @@
 #include "run/snapshot.hpp"
 
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <cstring>
 
@@ -60,6 +62,7 @@ TEST_CASE("a snapshot that does not fit is refused in words and leaves the sessi
     const OpenedScene one("[counter]\n", {"counter"});
     const OpenedScene other("[diverges]\n", {"diverges"});
     const OpenedScene three(std::string(kScene) + "[[counter]]\n", {"counter"});
+    const OpenedScene slower("[scene]\nstep = 0.25\n[[counter]]\n[[counter]]\n", {"counter"});
     constexpr const char* kDamaged = "s: the snapshot is damaged: its checksum does not match; save it again";
     constexpr const char* kForeign = "s: this is not a snapshot; expected a file that --save-state wrote";
     const Refused cases[] = {
@@ -67,14 +70,17 @@ TEST_CASE("a snapshot that does not fit is refused in words and leaves the sessi
         {"text", std::string(1000, 'x'), kForeign},
         {"cut in its header", good.substr(0, 20), kForeign},
         {"cut at the end", good.substr(0, good.size() - 1), kDamaged},
-        {"cut behind its header", good.substr(0, 40), kDamaged},
+        {"cut behind its header", good.substr(0, 56), kDamaged},
         {"longer", good + "x", kDamaged},
-        {"another version", patched(good, 8, 2),
-         "s: the snapshot has version 2 and byte order 01020304; expected 1 and 01020304; save it again with "
+        {"another version", patched(good, 8, 1),
+         "s: the snapshot has version 1 and byte order 01020304; expected 2 and 01020304; save it again with "
          "this program"},
         {"another byte order", patched(good, 12, 0x04030201),
-         "s: the snapshot has version 1 and byte order 04030201; expected 1 and 01020304; save it again with "
+         "s: the snapshot has version 2 and byte order 04030201; expected 2 and 01020304; save it again with "
          "this program"},
+        {"frames of another length", save_snapshot(*slower.session),
+         "s: the snapshot was saved in frames of 0.25 s and this run's are of 0.016666666666666666 s; run with "
+         "--step 0.25"},
         {"fewer arrays", save_snapshot(*one.session),
          "s: the snapshot has (nothing more) of 0 bytes where this scene has counter.2/count of 8; restore it "
          "into the "
@@ -96,6 +102,21 @@ TEST_CASE("a snapshot that does not fit is refused in words and leaves the sessi
         CHECK(kind_of_fault(restore) == FaultKind::invalid);
         CHECK(save_snapshot(*opened.session) == before);
     }
+}
+
+TEST_CASE("a snapshot knows the seed and the options that it was saved with", "[unit]") {
+    const OpenedScene saved(kScene, {"counter"});
+    const std::string bytes = save_snapshot(*saved.session);
+    const std::string rest = std::strchr(kScene, '[') + std::strlen("[scene]\nseed = 3\n");
+    const auto same_setup = [&](const std::string& scene) {
+        const OpenedScene opened(scene, {"counter"});
+        return restore_snapshot(*opened.session, bytes, "s");
+    };
+    CHECK(same_setup(kScene));
+    CHECK(same_setup("[scene]\nseed = 3\nduration = 99\nname = \"other\"\n" + rest));
+    CHECK_FALSE(same_setup("[scene]\nseed = 4\n" + rest));
+    CHECK_FALSE(same_setup("[scene]\nseed = 3\ngravity = [0, 0, 0]\n" + rest));
+    CHECK_FALSE(same_setup(std::string(kScene) + "stride = 0.7\n"));
 }
 
 TEST_CASE("no byte of a snapshot can change unnoticed, and none can be missing", "[extreme]") {
@@ -127,7 +148,8 @@ TEST_CASE("snapshots go through files", "[unit]") {
     const OpenedScene opened(kScene, {"counter"});
     read_snapshot_file(*opened.session, folder.path("state"));
     CHECK(opened.session->state_hash() == saved.session->state_hash());
-    for (const std::string& path : {folder.path("none"), folder.path()})
+    REQUIRE(::mkfifo(folder.path("pipe").c_str(), 0600) == 0);
+    for (const std::string& path : {folder.path("none"), folder.path(), folder.path("pipe")})
         CHECK(fault_of([&] { read_snapshot_file(*opened.session, path); }) ==
-              path + ": the snapshot cannot be read; check the path");
+              path + ": this is no file; expected a snapshot that --save-state wrote");
 }
