@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "manifest_text.hpp"
-#include "mass_spring/relax.hpp"
+#include "mass_spring/settle.hpp"
 #include "mass_spring/simulation.hpp"
 #include "measures.hpp"
 #include "orbweaver/contracts/threads.hpp"
@@ -111,19 +111,14 @@ private:
                        [this] { return measure_threads(web_.network, position_).max_strain; });
     }
 
-    /// To a thousandth of a particle's weight, beyond which nothing can be seen to move.
     void settle(Host& host) {
-        constexpr std::size_t kMostIterations = 200'000;
-        const double mean_mass =
-            measure_threads(web_.network, position_).total_mass / static_cast<double>(web_.network.size());
-        const double tolerance = 1e-3 * 9.81 * mean_mass;
-        const auto found = mass_spring::relax(*system_, position_, tolerance, kMostIterations);
+        const auto found = mass_spring::settle(*system_, position_);
         if (!found.converged)
             host.log(
                 LogLevel::warning,
-                fmt::format("{} did not come to rest: after {} iterations {:.3g} N are left of the {:.3g} N "
+                fmt::format("it did not come to rest: after {} iterations {:.3g} N are left of the {:.3g} N "
                             "sought; it starts moving",
-                            host.instance_name(), found.iterations, found.residual, tolerance));
+                            found.iterations, found.residual, found.tolerance));
     }
 
     void sense(const Frame& frame) {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "network.hpp"
+#include "orbweaver/vec3.hpp"
+
+namespace orbweaver::mass_spring {
+
+/// A symmetric 3x3 matrix.
+struct SymmetricBlock {
+    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+};
+
+/// What a spring of extent l = x_a - x_b contributes to the tangent stiffness -(df/dx), with the signs + + - -
+/// of its two ends: with n = l/|l| and T = k (|l| - r), k n n^T + (T/|l|)(I - n n^T). Where `clamped`, the
+/// second part is left out in compression, so that the block is semi-definite (Baraff and Witkin 1998; Choi and
+/// Ko 2002). A spring whose ends meet has no direction and no block.
+SymmetricBlock stiffness_block(const Spring& spring, const Vec3& l, bool clamped) noexcept;
+
+}  // namespace orbweaver::mass_spring
