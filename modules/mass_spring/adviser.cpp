@@ -25,18 +25,27 @@ public:
                        std::span<double> a) noexcept override {
         for (std::size_t i = 0; i < 2; ++i) a[i] = -squared_ * x[i] - mu_ * v[i];
     }
+    bool prepare(std::span<const double>, double c, double k) override {
+        weight_ = 1 + c * mu_ + k * squared_;
+        return true;
+    }
+    void solve(std::span<const double> r, std::span<double> u) override {
+        for (std::size_t i = 0; i < 2; ++i) u[i] = r[i] / weight_;
+    }
 
 private:
     double squared_;
     double mu_;
+    double weight_ = 1;
 };
 
 /// Spectral radius <= 1 by the criterion of Schur and Cohn on the one-step matrix, |det| <= 1 and
 /// |trace| <= 1 + det, which needs no square root of a cancelling difference.
-bool is_stable(Method& method, Oscillator& oscillator, double h) noexcept {
+bool is_stable(Method& method, Oscillator& oscillator, double h) {
     constexpr double kRounding = 1e-14;
     std::array<double, 2> q{1, 0};
     std::array<double, 2> p{0, 1};
+    method.begin();
     method.step(oscillator, q, p, h);
     const double determinant = q[0] * p[1] - q[1] * p[0];
     const double trace = q[0] + p[1];
@@ -162,8 +171,7 @@ void name_spring(const SpringSystem& system, std::span<const Vec3> x, std::span<
 
 std::string sentence_of(const Advice& advice, const MethodInfo& method) {
     const std::string name(method.name);
-    if (std::isinf(advice.stable_step))
-        return "nothing can oscillate here: every step of " + name + " is stable";
+    if (std::isinf(advice.stable_step)) return "every step of " + name + " is stable here";
     const std::string mode =
         "a mode of " + number_text(advice.angular_frequency) + " rad/s with a damping rate of " +
         number_text(advice.damping_rate) + " /s" +

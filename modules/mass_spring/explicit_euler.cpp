@@ -9,7 +9,7 @@ class ExplicitEuler final : public Method {
 public:
     explicit ExplicitEuler(std::size_t length) : a_(length) {}
 
-    void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) noexcept override {
+    void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) override {
         system.accelerations(x, v, a_);
         wide_loop(x.size(),
                   [h, x = x.data(), v = v.data(), a = a_.data()](std::size_t i) ORBWEAVER_ALWAYS_INLINE {

@@ -13,7 +13,9 @@ class Method {
 public:
     virtual ~Method() = default;
     /// Advances x and v, of system.length() numbers each, in place by h seconds.
-    virtual void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) noexcept = 0;
+    virtual void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) = 0;
+    /// Steps go on from a state that may not be where the last one ended: nothing kept may matter any more.
+    virtual void begin() noexcept {}
     virtual std::size_t memory_bytes() const noexcept = 0;  ///< of the scratch
 };
 
@@ -21,7 +23,7 @@ public:
 struct MethodInfo {
     std::string_view name;  ///< as scenes write it
     int order = 0;          ///< of global convergence
-    int evaluations = 0;    ///< of the forces, per step
+    int evaluations = 0;    ///< of the forces, per step; 0: as many as it takes
     std::unique_ptr<Method> (*make)(std::size_t length);
 };
 

@@ -6,11 +6,14 @@
 namespace orbweaver::mass_spring {
 
 std::span<const MethodInfo> methods() noexcept {
-    static constexpr std::array<MethodInfo, 3> table{{
+    static constexpr std::array<MethodInfo, 6> table{{
         // name, order, evaluations, make
         {"explicit_euler", 1, 1, make_explicit_euler},
         {"symplectic_euler", 1, 1, make_symplectic_euler},
+        {"velocity_verlet", 2, 2, make_velocity_verlet},
         {"rk4", 4, 4, make_rk4},
+        {"implicit_euler", 1, 1, make_implicit_euler},
+        {"sdirk2", 2, 0, make_sdirk2},
     }};
     return table;
 }

@@ -12,7 +12,7 @@ class Rk4 final : public Method {
 public:
     explicit Rk4(std::size_t length) : x_(length), v_(length), first_(length), middle_(length), last_(length) {}
 
-    void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) noexcept override {
+    void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) override {
         system.accelerations(x, v, first_);
         advance_stage(x, v, v, first_, h / 2);
         system.accelerations(x_, v_, middle_);

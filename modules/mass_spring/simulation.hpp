@@ -62,10 +62,12 @@ private:
     void set_substep(double seconds) noexcept;
     std::int64_t substeps_per_frame() const noexcept;
     /// `count` steps over one frame from x_, v_; false as soon as a value is found to mean nothing.
-    bool integrate(std::span<Vec3> x, std::span<Vec3> v, std::int64_t count) noexcept;
+    bool integrate(std::span<Vec3> x, std::span<Vec3> v, std::int64_t count);
     /// As many steps as plan; false when it could not be finished. The balance is of the whole frame.
-    bool run_frame(EnergyBalance& balance) noexcept;
-    bool is_beyond_bound() const noexcept;
+    bool run_frame(EnergyBalance& balance);
+    /// Whether energy from nowhere could be the step's doing.
+    bool may_be_unstable() const noexcept;
+    bool redo_shorter(EnergyBalance& balance);
     /// What on_unstable says of a frame that can be no motion, run at steps that may be too long.
     bool answer_instability(std::uint64_t frame, double time, bool finished, EnergyBalance& balance);
     void warn_of_gain(const std::string& sentence);

@@ -31,7 +31,8 @@ const Packing& SpringSystem::packing() const noexcept { return table_.packing; }
 std::size_t SpringSystem::length() const noexcept { return table_.packing.length(); }
 
 std::size_t SpringSystem::memory_bytes() const noexcept {
-    return table_.memory_bytes() + (external_.capacity() + pull_.capacity()) * sizeof(double);
+    return table_.memory_bytes() + (implicit_ != nullptr ? implicit_->memory_bytes() : 0) +
+           (external_.capacity() + pull_.capacity()) * sizeof(double);
 }
 
 void SpringSystem::accelerations(std::span<const double> x, std::span<const double> v,
@@ -52,6 +53,13 @@ void SpringSystem::accelerations(std::span<const double> x, std::span<const doub
     workers_->for_each_range(table_.quads.size(), kGrain, pulls);
     workers_->for_each_range(table_.blocks.size(), kGrain, accelerate);
 }
+
+bool SpringSystem::prepare(std::span<const double> x, double c, double k) {
+    if (implicit_ == nullptr) implicit_ = std::make_unique<ImplicitTangent>(*network_);
+    return implicit_->prepare(x, drag_, c, k);
+}
+
+void SpringSystem::solve(std::span<const double> r, std::span<double> u) { implicit_->solve(r, u); }
 
 void SpringSystem::forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> f) const noexcept {
     for (std::size_t i = 0; i < size(); ++i) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "implicit_tangent.hpp"
 #include "network.hpp"
 #include "orbweaver/contracts/workers.hpp"
 #include "orbweaver/vec3.hpp"
@@ -19,6 +21,13 @@ public:
     virtual std::size_t length() const noexcept = 0;  ///< of x, of v and of a
     virtual void accelerations(std::span<const double> x, std::span<const double> v,
                                std::span<double> a) noexcept = 0;
+
+    /// For implicit methods: makes W = M + c C + k K ready to be solved, with mass matrix M and the tangents of
+    /// damping C = -df/dv and stiffness K = -df/dx at x, the latter's springs clamped in compression, so that W
+    /// is positive definite. False where x is so far off that it is not.
+    virtual bool prepare(std::span<const double> x, double c, double k) = 0;
+    /// u = W^-1 M r.
+    virtual void solve(std::span<const double> r, std::span<double> u) = 0;
 
 protected:
     ~DynamicSystem() = default;
@@ -60,6 +69,8 @@ public:
     /// m/s^2; zero for fixed particles.
     void accelerations(std::span<const double> x, std::span<const double> v,
                        std::span<double> a) noexcept override;
+    bool prepare(std::span<const double> x, double c, double k) override;
+    void solve(std::span<const double> r, std::span<double> u) override;
 
     Vec3 external_force(std::size_t particle) const noexcept;  ///< N
     double drag() const noexcept { return drag_; }             ///< N s/m
@@ -83,8 +94,9 @@ private:
     const SpringKernels* kernels_;
     Vec3 gravity_;
     double drag_ = 0;
-    std::vector<double> external_;  ///< packed; empty: none
-    std::vector<double> pull_;      ///< N, three planes of a slot per spring, scratch
+    std::vector<double> external_;               ///< packed; empty: none
+    std::vector<double> pull_;                   ///< N, three planes of a slot per spring, scratch
+    std::unique_ptr<ImplicitTangent> implicit_;  ///< null until an implicit method asks
 };
 
 /// Tension (N, negative in compression) of one spring, its elastic part.

@@ -15,4 +15,11 @@ SymmetricBlock stiffness_block(const Spring& spring, const Vec3& l, bool clamped
             along.y * l.y + across, along.y * l.z, along.z * l.z + across};
 }
 
+SymmetricBlock damping_block(const Spring& spring, const Vec3& l) noexcept {
+    const double squared = dot(l, l);
+    if (squared == 0) return {};
+    const Vec3 along = l * (spring.damping / squared);
+    return {along.x * l.x, along.x * l.y, along.x * l.z, along.y * l.y, along.y * l.z, along.z * l.z};
+}
+
 }  // namespace orbweaver::mass_spring

@@ -16,4 +16,14 @@ struct SymmetricBlock {
 /// Ko 2002). A spring whose ends meet has no direction and no block.
 SymmetricBlock stiffness_block(const Spring& spring, const Vec3& l, bool clamped) noexcept;
 
+/// To the tangent damping -(df/dv): c n n^T.
+SymmetricBlock damping_block(const Spring& spring, const Vec3& l) noexcept;
+
+constexpr SymmetricBlock operator*(double s, const SymmetricBlock& b) noexcept {
+    return {s * b.xx, s * b.xy, s * b.xz, s * b.yy, s * b.yz, s * b.zz};
+}
+constexpr SymmetricBlock operator+(const SymmetricBlock& a, const SymmetricBlock& b) noexcept {
+    return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
+}
+
 }  // namespace orbweaver::mass_spring

@@ -46,13 +46,18 @@ TEST_CASE("methods ask for the evaluations their row says", "[unit]") {
             ++calls;
             a[0] = 0;
         }
+        bool prepare(std::span<const double>, double, double) override { return true; }
+        void solve(std::span<const double> r, std::span<double> u) override { u[0] = r[0]; }
         int calls = 0;
     };
     for (const MethodInfo& info : methods()) {
         Counter counter;
         std::vector<double> x(1), v(1);
         info.make(1)->step(counter, x, v, 1);
-        CHECK(counter.calls == info.evaluations);
+        if (info.evaluations > 0)
+            CHECK(counter.calls == info.evaluations);
+        else
+            CHECK(counter.calls > 0);
     }
 }
 
@@ -62,7 +67,7 @@ TEST_CASE("methods are found by the name scenes write", "[unit]") {
         names += std::string(info.name) + " ";
         REQUIRE(find_method(info.name) == &info);
     }
-    CHECK(names == "explicit_euler symplectic_euler rk4 ");
+    CHECK(names == "explicit_euler symplectic_euler velocity_verlet rk4 implicit_euler sdirk2 ");
     CHECK(find_method("rk5") == nullptr);
 }
 

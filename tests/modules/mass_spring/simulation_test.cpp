@@ -154,7 +154,7 @@ TEST_CASE("a frame that gains energy from nowhere is redone, refused or told of"
         Simulation run(system, settings_for("rk4", 0, OnUnstable::stop, &warnings), 0.05, body.x, body.v);
         const std::string said = sentence_of([&] { frames(run); });
         CHECK(said.find("J from nowhere at steps of") != std::string::npos);
-        CHECK(said.find("ask for those, or for on_unstable = \"substep\"") != std::string::npos);
+        CHECK(said.find("ask for shorter ones, or for on_unstable = \"substep\"") != std::string::npos);
         CHECK(warnings.empty());
     }
     SECTION("as_asked") {

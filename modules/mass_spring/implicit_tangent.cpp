@@ -1,0 +1,38 @@
+#include "implicit_tangent.hpp"
+
+namespace orbweaver::mass_spring {
+
+ImplicitTangent::ImplicitTangent(const Network& network)
+    : network_(&network),
+      packing_(network.size()),
+      solver_(network),
+      x_(network.size()),
+      right_(network.size()),
+      left_(network.size()),
+      diagonal_(network.size()),
+      blocks_(network.springs.size()) {}
+
+bool ImplicitTangent::prepare(std::span<const double> x, double drag, double c, double k) {
+    packing_.unpack(x, x_);
+    for (std::size_t i = 0; i < x_.size(); ++i) diagonal_[i] = network_->mass[i] + c * drag;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        const Spring& s = network_->springs[i];
+        const Vec3 l = x_[s.a] - x_[s.b];
+        blocks_[i] = k * stiffness_block(s, l, true) + c * damping_block(s, l);
+    }
+    return solver_.factorize(diagonal_, blocks_);
+}
+
+void ImplicitTangent::solve(std::span<const double> r, std::span<double> u) {
+    packing_.unpack(r, right_);
+    for (std::size_t i = 0; i < right_.size(); ++i) right_[i] *= network_->mass[i];
+    solver_.solve(right_, left_);
+    packing_.pack(left_, u);
+}
+
+std::size_t ImplicitTangent::memory_bytes() const noexcept {
+    return solver_.memory_bytes() + x_.size() * (3 * sizeof(Vec3) + sizeof(double)) +
+           blocks_.capacity() * sizeof(SymmetricBlock);
+}
+
+}  // namespace orbweaver::mass_spring

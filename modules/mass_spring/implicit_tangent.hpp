@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "block_solver.hpp"
+#include "packing.hpp"
+
+namespace orbweaver::mass_spring {
+
+/// W = M + c C + k K of a network, and its solution, for implicit methods (see DynamicSystem).
+class ImplicitTangent {
+public:
+    /// `network` must outlive it.
+    explicit ImplicitTangent(const Network& network);
+
+    bool prepare(std::span<const double> x, double drag, double c, double k);
+    void solve(std::span<const double> r, std::span<double> u);
+    std::size_t memory_bytes() const noexcept;
+
+private:
+    const Network* network_;
+    Packing packing_;
+    BlockSolver solver_;
+    std::vector<Vec3> x_, right_, left_;
+    std::vector<double> diagonal_;
+    std::vector<SymmetricBlock> blocks_;
+};
+
+}  // namespace orbweaver::mass_spring
