@@ -10,7 +10,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "output/atomic_file.hpp"
+#include "orbweaver/fault.hpp"
 
 namespace orbweaver {
 
@@ -138,12 +138,6 @@ void restore_snapshot(Session& session, std::string_view bytes, const std::strin
     }
     session.set_frame(header.frame);
     for (const auto& instance : session.instances()) instance->restored();
-}
-
-void write_snapshot_file(const Session& session, const std::string& path) {
-    AtomicFile file(path);
-    file.write(save_snapshot(session));
-    file.commit();
 }
 
 void read_snapshot_file(Session& session, const std::string& path) {

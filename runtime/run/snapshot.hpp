@@ -13,7 +13,6 @@ std::string save_snapshot(const Session& session);
 /// when it is damaged, foreign, or of other arrays.
 void restore_snapshot(Session& session, std::string_view bytes, const std::string& name);
 
-void write_snapshot_file(const Session& session, const std::string& path);
 void read_snapshot_file(Session& session, const std::string& path);
 
 }  // namespace orbweaver
