@@ -114,7 +114,7 @@ TEST_CASE("a finished video that cannot get its name leaves nothing", "[extreme]
 TEST_CASE("the process has its signals, whatever we block and ignore", "[unit]") {
     const test::Scratch scratch;
     const auto program =
-        stand_in(scratch, "cat > /dev/null; grep -E 'Sig(Blk|Ign)' /proc/$$/status > \"$file\"\n");
+        stand_in(scratch, "cat > /dev/null; grep -E 'Sig(Blk|Ign)' /proc/self/status > \"$file\"\n");
     sigset_t all;
     sigset_t before;
     sigfillset(&all);
