@@ -12,13 +12,13 @@
 #include <system_error>
 #include <vector>
 
-#include "part_file.hpp"
+#include "orbweaver/fault.hpp"
 
 namespace orbweaver::film {
 namespace {
 
 /// Raw sRGB in; out, what players everywhere understand: 4:2:0 (hence even sizes) with BT.709 colors, said so.
-std::vector<std::string> arguments(const VideoFormat& format, const std::filesystem::path& part) {
+std::vector<std::string> arguments(const VideoFormat& format, const std::string& part) {
     const auto size = std::to_string(format.width) + "x" + std::to_string(format.height);
     return {"ffmpeg",
             "-nostdin",
@@ -54,7 +54,7 @@ std::vector<std::string> arguments(const VideoFormat& format, const std::filesys
             "tv",
             "-movflags",
             "+faststart",
-            "file:" + part.string()};
+            "file:" + part};
 }
 
 struct SpawnSettings {
@@ -72,24 +72,30 @@ struct SpawnSettings {
     posix_spawnattr_t attributes{};
 };
 
+Fault start_fault(const std::string& action, const std::string& video, int error) {
+    return {FaultKind::internal, action + " for " + video +
+                                     " failed: " + std::generic_category().message(error) +
+                                     "; name a .webp file, which needs no ffmpeg."};
+}
+
 }  // namespace
 
-FfmpegVideo::FfmpegVideo(const std::filesystem::path& ffmpeg, std::filesystem::path file,
+FfmpegVideo::FfmpegVideo(const std::filesystem::path& ffmpeg, const std::filesystem::path& file,
                          const VideoFormat& format)
-    : file_(std::move(file)) {
+    : file_(file.string()) {
     int ends[2];
     words_ = memfd_create("ffmpeg", MFD_CLOEXEC);
     if (words_ < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
         const int error = errno;
         hang_up();
-        throw io_fault("Preparing a connection to ffmpeg for", file_, error);
+        throw start_fault("Preparing a connection to ffmpeg", file_.path(), error);
     }
     socket_ = ends[0];
     start(ffmpeg, ends[1], format);
 }
 
 void FfmpegVideo::start(const std::filesystem::path& ffmpeg, int input, const VideoFormat& format) {
-    auto words = arguments(format, part_path(file_));
+    auto words = arguments(format, file_.partial());
     std::vector<char*> argv;
     argv.reserve(words.size() + 1);
     for (auto& word : words) argv.push_back(word.data());
@@ -99,24 +105,31 @@ void FfmpegVideo::start(const std::filesystem::path& ffmpeg, int input, const Vi
     posix_spawn_file_actions_adddup2(&settings.files, input, STDIN_FILENO);
     posix_spawn_file_actions_addopen(&settings.files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&settings.files, words_, STDERR_FILENO);
-    // A group of its own: Ctrl+C ends our run, which then closes the video in order.
-    posix_spawnattr_setflags(&settings.attributes, POSIX_SPAWN_SETPGROUP);
+    // A group of its own: Ctrl+C ends our run, which then closes the video in order. Signals that we block or
+    // ignore are ffmpeg's again.
+    sigset_t none;
+    sigset_t of_writes;
+    sigemptyset(&none);
+    sigemptyset(&of_writes);
+    sigaddset(&of_writes, SIGPIPE);
+    sigaddset(&of_writes, SIGXFSZ);
+    posix_spawnattr_setsigmask(&settings.attributes, &none);
+    posix_spawnattr_setsigdefault(&settings.attributes, &of_writes);
+    posix_spawnattr_setflags(&settings.attributes,
+                             POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
     const int error =
         posix_spawn(&process_, ffmpeg.c_str(), &settings.files, &settings.attributes, argv.data(), environ);
     ::close(input);
     if (error == 0) return;
     process_ = -1;
     hang_up();
-    throw io_fault("Starting " + ffmpeg.string() + " for", file_, error);
+    throw start_fault("Starting " + ffmpeg.string(), file_.path(), error);
 }
 
 FfmpegVideo::~FfmpegVideo() {
-    const bool unfinished = process_ > 0;
-    if (unfinished) kill(process_, SIGKILL);
+    if (process_ > 0) kill(process_, SIGKILL);
     wait();
     hang_up();
-    std::error_code ignored;
-    if (unfinished) std::filesystem::remove(part_path(file_), ignored);
 }
 
 void FfmpegVideo::add(std::span<const std::uint8_t> rgb) {
@@ -132,7 +145,7 @@ void FfmpegVideo::close() {
     socket_ = -1;
     const int status = wait();
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail_by_status(status);
-    rename_part(file_);
+    file_.commit();
 }
 
 int FfmpegVideo::wait() noexcept {
@@ -162,8 +175,6 @@ std::string FfmpegVideo::last_words() const {
 }
 
 void FfmpegVideo::fail_by_status(int status) {
-    std::error_code ignored;
-    std::filesystem::remove(part_path(file_), ignored);
     const auto words = last_words();
     const bool size_limit = WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ;
     const bool full = size_limit || words.find("No space left") != std::string::npos ||
@@ -173,7 +184,7 @@ void FfmpegVideo::fail_by_status(int status) {
                                          : "ended with exit code " + std::to_string(WEXITSTATUS(status));
     throw Fault(
         full ? FaultKind::limit : FaultKind::internal,
-        "Making the video " + file_.string() + " failed: ffmpeg " + end + " and said: " + words +
+        "Making the video " + file_.path() + " failed: ffmpeg " + end + " and said: " + words +
             (full ? "; make room or write elsewhere." : "; or name a .webp file, which needs no ffmpeg."));
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "output/atomic_file.hpp"
 #include "video.hpp"
 
 namespace orbweaver::film {
@@ -14,8 +15,9 @@ namespace orbweaver::film {
 class FfmpegVideo final : public Video {
 public:
     /// Starts the process. Throws Fault.
-    FfmpegVideo(const std::filesystem::path& ffmpeg, std::filesystem::path file, const VideoFormat& format);
-    /// Ends the process and removes the part, if close() did not finish it.
+    FfmpegVideo(const std::filesystem::path& ffmpeg, const std::filesystem::path& file,
+                const VideoFormat& format);
+    /// Ends the process, if close() did not finish it.
     ~FfmpegVideo() override;
     void add(std::span<const std::uint8_t> rgb) override;
     void close() override;
@@ -27,7 +29,7 @@ private:
     [[noreturn]] void fail_by_status(int status);
     std::string last_words() const;
 
-    std::filesystem::path file_;
+    AtomicFile file_;
     pid_t process_ = -1;
     int socket_ = -1;
     int words_ = -1;  // what the process writes on its standard error

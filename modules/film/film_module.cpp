@@ -7,7 +7,7 @@
 #include "manifest_text.hpp"
 #include "orbweaver/contracts/picture_source.hpp"
 #include "orbweaver/entry.hpp"
-#include "part_file.hpp"
+#include "output/atomic_file.hpp"
 #include "video.hpp"
 
 namespace orbweaver::film {
@@ -29,6 +29,7 @@ private:
     std::optional<FrameFiles> frames_;
     std::optional<VideoPlan> plan_;
     std::unique_ptr<Video> video_;
+    bool closed_ = false;  // the video is whole, under its name
     VideoFormat format_;
     std::int64_t pictures_ = 0;
 };
@@ -45,13 +46,7 @@ void Film::attach(Host& host) {
 void Film::plan(Host& host, const std::filesystem::path& asked) {
     const char* search_path = std::getenv("PATH");
     plan_ = plan_video(asked, search_path != nullptr ? search_path : "");
-    make_writable_directory(std::filesystem::absolute(plan_->file).parent_path());
-    std::error_code ignored;
-    if (std::filesystem::exists(plan_->file, ignored) &&
-        !std::filesystem::is_regular_file(plan_->file, ignored))
-        throw Fault(FaultKind::internal, "The video " + plan_->file.string() +
-                                             " cannot be written: something that is not a file has that name; "
-                                             "name another.");
+    const AtomicFile trial(plan_->file.string());
     if (plan_->file != asked)
         host.log(LogLevel::warning, "There is no ffmpeg on PATH, so the video becomes an animated WebP: " +
                                         plan_->file.string() + ".");
@@ -81,12 +76,15 @@ void Film::add_to_video(std::span<const std::uint8_t> rgb) {
 
 void Film::finish() {
     const auto video = std::move(video_);
-    if (video) video->close();
+    if (!video) return;
+    video->close();
+    closed_ = true;
 }
 
 void Film::report(ModuleReport& report) {
     report.measure("pictures", pictures_);
-    if (plan_) report.measure("video", plan_->file.string());
+    if (closed_) report.measure("video", plan_->file.string());
+    if (frames_ && frames_->count() > 0) report.measure("frames", frames_->directory().string());
 }
 
 }  // namespace

@@ -2,19 +2,26 @@
 
 #include <string>
 
-#include "part_file.hpp"
+#include "output/atomic_file.hpp"
 #include "picture/png.hpp"
 
 namespace orbweaver::film {
 
 FrameFiles::FrameFiles(std::filesystem::path directory) : directory_(std::move(directory)) {
-    make_writable_directory(directory_);
+    const AtomicFile trial(path(0));
+}
+
+std::string FrameFiles::path(std::uint64_t index) const {
+    auto number = std::to_string(index);
+    if (number.size() < 6) number.insert(0, 6 - number.size(), '0');
+    return directory_ / ("frame_" + number + ".png");
 }
 
 void FrameFiles::add(int width, int height, std::span<const std::uint8_t> rgb) {
-    auto number = std::to_string(count_);
-    if (number.size() < 6) number.insert(0, 6 - number.size(), '0');
-    write_whole(directory_ / ("frame_" + number + ".png"), picture::encode_png(width, height, rgb));
+    const auto png = picture::encode_png(width, height, rgb);
+    AtomicFile file(path(count_));
+    file.write(png.data(), png.size());
+    file.commit();
     ++count_;
 }
 

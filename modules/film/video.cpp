@@ -2,13 +2,19 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <iterator>
 #include <sstream>
+#include <string_view>
 
 #include "ffmpeg_video.hpp"
+#include "orbweaver/fault.hpp"
 #include "webp_animation.hpp"
 
 namespace orbweaver::film {
 namespace {
+
+constexpr std::string_view kExtensions[] = {".mp4", ".m4v", ".mov", ".mkv", ".webp"};
 
 std::filesystem::path find_program(const std::string& name, const std::string& search_path) {
     std::istringstream directories(search_path);
@@ -24,7 +30,14 @@ std::filesystem::path find_program(const std::string& name, const std::string& s
 }  // namespace
 
 VideoPlan plan_video(const std::filesystem::path& asked, const std::string& search_path) {
-    if (asked.extension() == ".webp") return {asked, {}};
+    auto extension = asked.extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (std::find(std::begin(kExtensions), std::end(kExtensions), extension) == std::end(kExtensions))
+        throw Fault(FaultKind::invalid, "The video " + asked.string() +
+                                            " has no extension that says how to make it; expected .mp4, .m4v, "
+                                            ".mov, .mkv or .webp.");
+    if (extension == ".webp") return {asked, {}};
     const auto ffmpeg = find_program("ffmpeg", search_path);
     if (!ffmpeg.empty()) return {asked, ffmpeg};
     return {std::filesystem::path(asked).replace_extension(".webp"), {}};

@@ -28,13 +28,13 @@ public:
     virtual void close() = 0;
 };
 
-/// How a video will be made: through ffmpeg if that is found and the name does not ask for WebP, else as an
-/// animated WebP under the name with that extension.
+/// How a video will be made: .mp4, .m4v, .mov and .mkv through ffmpeg if that is found, else, and for .webp, as
+/// an animated WebP under the name with that extension.
 struct VideoPlan {
     std::filesystem::path file;
     std::filesystem::path ffmpeg;  ///< empty: WebP
 };
-/// `search_path` as the environment's PATH has it.
+/// Throws Fault(invalid) for other extensions. `search_path` as the environment's PATH has it.
 VideoPlan plan_video(const std::filesystem::path& asked, const std::string& search_path);
 
 /// Throws Fault.

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "orbweaver/fault.hpp"
-#include "part_file.hpp"
+#include "output/atomic_file.hpp"
 
 namespace orbweaver::film {
 namespace {
@@ -79,7 +79,9 @@ void WebpAnimation::close() {
     if (WebPAnimEncoderAdd(encoder_.get(), nullptr, time_ms(count_), nullptr) == 0 ||
         WebPAnimEncoderAssemble(encoder_.get(), &file.data) == 0)
         fail(WebPAnimEncoderGetError(encoder_.get()));
-    write_whole(file_, {file.data.bytes, file.data.size});
+    AtomicFile whole(file_.string());
+    whole.write(file.data.bytes, file.data.size);
+    whole.commit();
 }
 
 }  // namespace orbweaver::film

@@ -1,16 +1,20 @@
 #include <fmt/format.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
-#include <new>
+#include <charconv>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
 
 #include "cli/modules_command.hpp"
+#include "cli/picture_size.hpp"
+#include "cli/program.hpp"
 #include "orbweaver/build_stamp.hpp"
 #include "orbweaver/fault.hpp"
 #include "run/run_scene.hpp"
+#include "scene/overrides.hpp"
 #include "scene/units.hpp"
 
 namespace {
@@ -31,15 +35,44 @@ struct CommandLine {
     std::string module_name;
 };
 
+/// What is typed must be right, also when it is nothing.
+std::function<std::string(const std::string&)> checked(std::function<bool(const std::string&)> is_right,
+                                                       const char* what) {
+    return [is_right = std::move(is_right), what](const std::string& text) {
+        return is_right(text) ? std::string() : fmt::format("'{}' is not {}", text, what);
+    };
+}
+
+template <class Number>
+std::optional<Number> parse_number(const std::string& text) {
+    Number number{};
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number);
+    return error == std::errc() && rest == end ? std::optional(number) : std::nullopt;
+}
+
+bool is_seed(const std::string& text) { return parse_number<std::uint64_t>(text).has_value(); }
+
+// Not a number is no rate: it compares false.
+bool is_rate(const std::string& text) {
+    const auto rate = parse_number<double>(text);
+    return rate && *rate >= 0.001 && *rate <= 1e6;
+}
+
 void add_scene_options(CLI::App& command, CommandLine& line) {
     command.add_option("SCENE", line.settings.scene_path, "the scene, a TOML file")->required();
     command
         .add_option("--set", line.settings.overrides,
                     "override a value of the scene: path.to.key=value; repeatable")
-        ->allow_extra_args(false);
-    command.add_option("--duration", line.duration, "how long, in seconds or with a unit (\"20 s\")");
-    command.add_option("--step", line.step, "one frame, in seconds or with a unit (\"1/60 s\")");
-    command.add_option("--seed", line.seed, "seed of every random stream");
+        ->allow_extra_args(false)
+        ->check(checked(is_assignment, "an override; expected path.to.key=value"));
+    const auto time = checked([](const std::string& text) { return parse_quantity(text).has_value(); },
+                              "a time; expected seconds or a text such as \"20 s\"");
+    command.add_option("--duration", line.duration, "how long, in seconds or with a unit (\"20 s\")")
+        ->check(time);
+    command.add_option("--step", line.step, "one frame, in seconds or with a unit (\"1/60 s\")")->check(time);
+    command.add_option("--seed", line.seed, "seed of every random stream")
+        ->check(checked(is_seed, "a seed; expected a whole number from 0 on"));
     command
         .add_option("--modules", line.settings.module_directories,
                     "search this folder for modules first; repeatable")
@@ -53,10 +86,12 @@ void add_request_options(CLI::App& command, CommandLine& line) {
     command.add_option("--threads", request.threads, "threads to compute with")->check(CLI::Range(1, 256));
     command.add_option("--frames", request.frames_directory, "write PNG frames into this folder");
     command.add_option("--video", request.video_file,
-                       "write a video: .mp4 through ffmpeg when there is one, else .webp");
-    command.add_option("--size", line.size, "size of pictures in pixels, WxH");
+                       "write a video: .mp4, .m4v, .mov or .mkv through ffmpeg when there is one, else .webp");
+    command.add_option("--size", line.size, "size of pictures in pixels, WxH")
+        ->check(checked([](const std::string& text) { return parse_picture_size(text).has_value(); },
+                        "a size; expected WxH with 1 to 16384 pixels each, such as 1280x720"));
     command.add_option("--fps", request.frames_per_second, "pictures a second; one a frame when absent")
-        ->check(CLI::Range(0.001, 1e6));
+        ->check(checked(is_rate, "a rate; expected 0.001 to 1000000 pictures a second"));
 }
 
 void add_run_options(CLI::App& command, CommandLine& line) {
@@ -71,36 +106,52 @@ void add_run_options(CLI::App& command, CommandLine& line) {
     command.add_flag("--quiet", settings.quiet, "no progress, no closing lines");
 }
 
-// "1280x720" into the request; a usage error otherwise.
-void read_size(const std::string& text, Request& request) {
-    if (text.empty()) return;
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &request.width, &request.height, &rest) != 2 ||
-        request.width < 1 || request.height < 1 || request.width > 16384 || request.height > 16384)
-        throw CLI::ValidationError(
-            "--size",
-            fmt::format("'{}' is not a size; expected WxH with 1 to 16384 pixels each, such as 1280x720",
-                        text));
-}
-
 // A shorthand for --set scene.KEY=VALUE: numbers stay numbers, everything else is text.
-void add_shorthand(CommandLine& line, const char* option, const char* key, const std::string& value,
-                   bool quantity) {
+void add_shorthand(CommandLine& line, const char* key, const std::string& value) {
     if (value.empty()) return;
-    if (quantity && !parse_quantity(value))
-        throw CLI::ValidationError(
-            option, fmt::format("'{}' is not a time; expected seconds or a text such as \"20 s\"", value));
     const bool bare = value.find_first_not_of("0123456789.+-eE") == std::string::npos;
     line.settings.overrides.push_back(bare ? fmt::format("scene.{}={}", key, value)
                                            : fmt::format("scene.{}=\"{}\"", key, value));
 }
 
+// Two files of one name would overwrite each other.
+void check_outputs(const RunSettings& settings) {
+    const std::pair<const char*, const std::string&> outputs[] = {{"--video", settings.request.video_file},
+                                                                  {"--telemetry", settings.telemetry_file},
+                                                                  {"--report", settings.report_file},
+                                                                  {"--save-state", settings.save_state_file}};
+    const auto place = [](const std::string& path) {
+        std::error_code ignored;
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+    };
+    const auto refuse = [](const char* option, const std::string& path, const char* other) {
+        throw CLI::ValidationError(option,
+                                   fmt::format("'{}' is a file that {} writes; name another", path, other));
+    };
+    const std::string& trajectory = settings.trajectory_directory;
+    std::map<std::filesystem::path, const char*> taken;
+    for (const auto& [option, path] : outputs) {
+        if (path.empty()) continue;
+        const auto file = place(path);
+        const auto [before, is_new] = taken.emplace(file, option);
+        if (!is_new) refuse(option, path, before->second);
+        if (!trajectory.empty() && file.parent_path() == place(trajectory + "/.").parent_path() &&
+            (file.extension() == ".npy" || file.filename() == "trajectory.json"))
+            refuse(option, path, "--trajectory");
+    }
+}
+
 void complete(CommandLine& line) {
-    read_size(line.size, line.settings.request);
-    add_shorthand(line, "--duration", "duration", line.duration, true);
-    add_shorthand(line, "--step", "step", line.step, true);
-    add_shorthand(line, "--seed", "seed", line.seed, false);
-    line.settings.endless = line.settings.request.window && line.duration.empty();
+    Request& request = line.settings.request;
+    if (const auto size = parse_picture_size(line.size)) {
+        request.width = size->width;
+        request.height = size->height;
+    }
+    add_shorthand(line, "duration", line.duration);
+    add_shorthand(line, "step", line.step);
+    add_shorthand(line, "seed", line.seed);
+    line.settings.endless = request.window && line.duration.empty();
+    check_outputs(line.settings);
 }
 
 int print_plan(const CommandLine& line) {
@@ -144,18 +195,5 @@ int command_line(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    spdlog::set_default_logger(spdlog::stderr_color_st("orbweaver"));
-    spdlog::set_pattern("%^%l%$: %v");
-    try {
-        return command_line(argc, argv);
-    } catch (const Fault& fault) {
-        spdlog::error("{}", fault.what());
-        return static_cast<int>(fault.kind());
-    } catch (const std::bad_alloc&) {
-        spdlog::error("out of memory; ask for less, or give the process more");
-        return static_cast<int>(FaultKind::limit);
-    } catch (const std::exception& error) {
-        spdlog::error("{}", error.what());
-        return static_cast<int>(FaultKind::internal);
-    }
+    return orbweaver::guarded_main([&] { return command_line(argc, argv); });
 }

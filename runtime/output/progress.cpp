@@ -8,8 +8,10 @@
 
 namespace orbweaver {
 
-Progress::Progress(std::string what, std::uint64_t total, double seconds_per_unit, bool quiet)
+Progress::Progress(std::string what, std::uint64_t first, std::uint64_t total, double seconds_per_unit,
+                   bool quiet)
     : what_(std::move(what)),
+      first_(first),
       total_(total),
       seconds_per_unit_(seconds_per_unit),
       quiet_(quiet),
@@ -33,18 +35,19 @@ void Progress::update(std::uint64_t done) {
 
 void Progress::show(std::uint64_t done, double elapsed) const {
     const double part = total_ > 0 ? static_cast<double>(done) / static_cast<double>(total_) : 1;
-    const double factor = elapsed > 0 ? static_cast<double>(done) * seconds_per_unit_ / elapsed : 0;
-    const double left = done > 0 ? elapsed / static_cast<double>(done) * static_cast<double>(total_ - done) : 0;
+    const auto here = static_cast<double>(done - first_);
+    const double factor = elapsed > 0 ? here * seconds_per_unit_ / elapsed : 0;
+    const double left = done > first_ ? elapsed / here * static_cast<double>(total_ - done) : 0;
     const std::string figures =
         fmt::format("{} {}/{} frames, {:.3g} x real time, {:.0f} s left", what_, done, total_, factor, left);
     if (terminal_) {
         constexpr int kWidth = 24;
         const int filled = std::clamp(static_cast<int>(part * kWidth), 0, kWidth);
-        fmt::print(stderr, "\r[{}{}] {}\033[K", std::string(static_cast<std::size_t>(filled), '#'),
-                   std::string(static_cast<std::size_t>(kWidth - filled), '.'), figures);
-        std::fflush(stderr);
+        const auto bar = std::string(static_cast<std::size_t>(filled), '#') +
+                         std::string(static_cast<std::size_t>(kWidth - filled), '.');
+        std::fputs(fmt::format("\r[{}] {}\033[K", bar, figures).c_str(), stderr);
     } else {
-        fmt::print(stderr, "{}\n", figures);
+        std::fputs((figures + "\n").c_str(), stderr);
     }
 }
 

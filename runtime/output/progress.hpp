@@ -7,9 +7,11 @@
 namespace orbweaver {
 
 /// Progress on standard error: one line redrawn in place on a terminal, a plain line now and then elsewhere.
+/// What cannot be shown is left out: progress never ends a run.
 class Progress {
 public:
-    Progress(std::string what, std::uint64_t total, double seconds_per_unit, bool quiet);
+    /// `first` units were done before: they count neither for the pace nor for the time left.
+    Progress(std::string what, std::uint64_t first, std::uint64_t total, double seconds_per_unit, bool quiet);
     ~Progress();
 
     void update(std::uint64_t done);
@@ -19,6 +21,7 @@ private:
 
     using Clock = std::chrono::steady_clock;
     std::string what_;
+    std::uint64_t first_;
     std::uint64_t total_;
     double seconds_per_unit_;
     bool quiet_;

@@ -26,7 +26,7 @@ struct RunReport {
     std::uint64_t frames = 0;
     double simulated_s = 0;
     double wall_s = 0;
-    std::string outcome;  ///< "done", "stopped", "diverged", "limit", "failed"
+    std::string outcome;  ///< "done", "stopped", "refused", "invalid", "diverged", "limit", "failed"
     std::string message;  ///< the sentence behind an outcome other than done
     std::uint64_t state_hash = 0;
     std::vector<std::string> loaded_libraries;

@@ -4,19 +4,8 @@
 
 namespace orbweaver {
 
-namespace {
-
-std::string checked_directory(std::string directory) {
-    make_directory(directory, "the trajectory");
-    return directory;
-}
-
-}  // namespace
-
-Trajectory::Trajectory(const Session& session, std::string directory)
-    : session_(session),
-      directory_(checked_directory(std::move(directory))),
-      time_(directory_ + "/time.npy", "<f8", {}) {
+Trajectory::Trajectory(const Session& session, const std::string& directory)
+    : session_(session), time_(directory + "/time.npy", "<f8", {}), meaning_(directory + "/trajectory.json") {
     for (const auto& instance : session.instances())
         for (const StateBlock::Entry& entry : instance->block().entries()) {
             if (!entry.info.record) continue;
@@ -26,7 +15,7 @@ Trajectory::Trajectory(const Session& session, std::string directory)
             std::vector<std::size_t> shape{entry.count()};
             if (vectors) shape.push_back(3);
             auto file =
-                std::make_unique<NpyWriter>(directory_ + "/" + name + ".npy", words ? "<u8" : "<f8", shape);
+                std::make_unique<NpyWriter>(directory + "/" + name + ".npy", words ? "<u8" : "<f8", shape);
             tracks_.push_back({std::move(file), &entry, name});
         }
 }
@@ -39,8 +28,7 @@ void Trajectory::record() {
     whole_ = true;
 }
 
-void Trajectory::commit() {
-    if (!whole_) return;
+std::string Trajectory::meaning() const {
     nlohmann::ordered_json json;
     json["scene"] = session_.scene().name;
     json["frame_step_s"] = session_.scene().step;
@@ -56,11 +44,15 @@ void Trajectory::commit() {
                                           {"unit", track.entry->info.unit},
                                           {"meaning", track.entry->info.meaning}};
     }
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+void Trajectory::commit() {
+    if (!whole_) return;
+    meaning_.write(meaning());
     time_.commit();
     for (const Track& track : tracks_) track.file->commit();
-    AtomicFile file(directory_ + "/trajectory.json");
-    file.write(json.dump(2) + "\n");
-    file.commit();
+    meaning_.commit();
 }
 
 }  // namespace orbweaver

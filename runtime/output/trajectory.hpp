@@ -13,11 +13,12 @@ namespace orbweaver {
 /// and trajectory.json that says what each means. The first row is the state before the first frame.
 class Trajectory {
 public:
-    Trajectory(const Session& session, std::string directory);
+    Trajectory(const Session& session, const std::string& directory);
 
     void record();
     /// Leaves no file when a record() failed: some quantities would end before the others.
     void commit();
+    bool whole() const noexcept { return whole_; }
 
 private:
     struct Track {
@@ -26,9 +27,11 @@ private:
         std::string name;
     };
 
+    std::string meaning() const;
+
     const Session& session_;
-    std::string directory_;
     NpyWriter time_;
+    AtomicFile meaning_;
     std::vector<Track> tracks_;
     bool whole_ = true;
 };

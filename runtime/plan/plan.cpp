@@ -52,6 +52,7 @@ public:
         check_contracts();
         sort_modules();
         list_left_out();
+        check_rate();
         return std::move(plan_);
     }
 
@@ -187,6 +188,18 @@ private:
              fmt::format("'{}' needs {}, which nothing in this plan provides", consumer.instance, contract),
              "",
              remedy});
+    }
+
+    // A picture is of a frame: there are no more of them.
+    void check_rate() {
+        const double asked = request_.frames_per_second;
+        const double most = plan_.scene.step > 0 ? 1 / plan_.scene.step : asked;
+        if (asked > most * (1 + 1e-9))
+            plan_.faults.push_back(
+                {{"--fps", 0, 0},
+                 fmt::format("{:.6g} pictures a second of {:.6g} frames a second", asked, most),
+                 fmt::format("at most {:.6g}", most),
+                 "leave it out, or make --step smaller"});
     }
 
     void sort_modules() {

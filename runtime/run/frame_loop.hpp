@@ -17,7 +17,8 @@ struct LoopSettings {
 /// unless the duration is zero.
 std::uint64_t frame_count(double duration, double step);
 
-/// Whether a picture falls due at the end of frame `index`: at `pictures_per_second` (0: every frame).
+/// Whether a picture falls due at the end of a run's frame `index`: after the first, then at
+/// `pictures_per_second` (0: every frame).
 bool picture_due(std::uint64_t index, double step, double pictures_per_second);
 
 /// Steps the session from where it is to its duration, drawing when asked; with a window, obeys its keys and

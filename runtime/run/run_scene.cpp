@@ -4,18 +4,15 @@
 #include <spdlog/spdlog.h>
 
 #include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <memory>
+#include <optional>
 
-#include "output/atomic_file.hpp"
 #include "output/loaded_libraries.hpp"
-#include "output/progress.hpp"
 #include "output/run_report.hpp"
-#include "output/telemetry.hpp"
-#include "output/trajectory.hpp"
+#include "run/current_fault.hpp"
 #include "run/frame_loop.hpp"
 #include "run/interrupt.hpp"
+#include "run/recorders.hpp"
 #include "run/session.hpp"
 #include "run/snapshot.hpp"
 #include "scene/overrides.hpp"
@@ -26,18 +23,17 @@ namespace orbweaver {
 namespace {
 
 void print_faults(const Diagnostics& faults) {
-    for (const Diagnostic& fault : faults) fmt::print(stderr, "{}\n", to_string(fault));
-    fmt::print(stderr, "{} fault{}; nothing was run\n", faults.size(), faults.size() == 1 ? "" : "s");
+    for (const Diagnostic& fault : faults) std::fputs((to_string(fault) + "\n").c_str(), stderr);
+    const char* plural = faults.size() == 1 ? "" : "s";
+    std::fputs(fmt::format("{} fault{}; nothing was run\n", faults.size(), plural).c_str(), stderr);
 }
 
-RunReport open_report(const RunSettings& settings, const Plan& plan) {
-    RunReport report;
+void describe(RunReport& report, const RunSettings& settings, const Plan& plan) {
     report.scene = plan.scene.name;
     report.seed = plan.scene.seed;
     report.threads = settings.request.threads;
     report.step_s = plan.scene.step;
     for (const LeftOut& each : plan.left_out) report.left_out.emplace_back(each.manifest->id, each.reason);
-    return report;
 }
 
 void add_session(RunReport& report, const Session& session) {
@@ -51,91 +47,139 @@ void add_session(RunReport& report, const Session& session) {
     }
 }
 
-void write_report(const RunReport& report, const std::string& path) {
-    AtomicFile file(path);
-    file.write(report_json(report));
-    file.commit();
-}
-
-/// The files that a run writes while it goes.
-struct Recorders {
-    std::unique_ptr<Trajectory> trajectory;
-    std::unique_ptr<Telemetry> telemetry;
-
-    Recorders(const RunSettings& settings, const Session& session) {
-        if (!settings.trajectory_directory.empty())
-            trajectory = std::make_unique<Trajectory>(session, settings.trajectory_directory);
-        if (!settings.telemetry_file.empty())
-            telemetry = std::make_unique<Telemetry>(session, settings.telemetry_file);
-    }
-    void record() const {
-        if (trajectory) trajectory->record();
-        if (telemetry) telemetry->record();
-    }
-    void commit() const {
-        if (trajectory) trajectory->commit();
-        if (telemetry) telemetry->commit();
-    }
-};
-
 const char* outcome_of(FaultKind kind, bool started) {
     switch (kind) {
         case FaultKind::diverged:
             return started ? "diverged" : "refused";
         case FaultKind::limit:
             return "limit";
+        case FaultKind::invalid:
+            return "invalid";
         default:
             return "failed";
     }
 }
 
-/// Steps the session, keeps whatever was good, and fills the report in. Throws the Fault that ended the run,
-/// after everything is written.
-void run_session(const RunSettings& settings, Session& session, RunReport& report) {
-    const Interrupt interrupt;
-    const Recorders recorders(settings, session);
-    const std::uint64_t first = session.frame();
-    const auto start = std::chrono::steady_clock::now();
-    std::exception_ptr failure;
-    report.outcome = "done";
-    try {
-        recorders.record();
-        const bool finished = run_frames(session, {settings.request, settings.endless, settings.quiet},
-                                         interrupt, [&] { recorders.record(); });
-        if (!finished) report.outcome = "stopped";
-    } catch (const Fault& fault) {
-        failure = std::current_exception();
-        report.outcome = outcome_of(fault.kind(), true);
-        report.message = fault.what();
+/// One run, from its plan to its report. Whatever fails is said at once, and keeps nothing else from being
+/// closed; the first failure is the run's outcome and exit code.
+class SceneRun {
+public:
+    explicit SceneRun(const RunSettings& settings) : settings_(settings) {}
+
+    int run() {
+        attempt([&] { plan_and_run(); });
+        if (report_file_) write_report();
+        if (started_ && !settings_.quiet)
+            attempt([&] {
+                fmt::print("{}", report_text(report_));
+                for (const auto& [what, path] : written_) fmt::print("  {:<11}{}\n", what, path);
+            });
+        return code_;
     }
-    report.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    report.frames = session.frame() - first;
-    report.simulated_s = static_cast<double>(report.frames) * session.scene().step;
-    add_session(report, session);
-    try {
-        recorders.commit();
-        if (!settings.save_state_file.empty()) write_snapshot_file(session, settings.save_state_file);
-        session.finish();
-    } catch (const Fault& fault) {
-        if (!failure) {
-            failure = std::current_exception();
-            report.outcome = outcome_of(fault.kind(), true);
-            report.message = fault.what();
+
+private:
+    template <class Step>
+    bool attempt(Step&& step) {
+        try {
+            step();
+            return true;
+        } catch (...) {
+            const Fault fault = current_fault();
+            if (fault.what() != report_.message) spdlog::error("{}", fault.what());
+            fail(fault.kind(), fault.what());
+            return false;
         }
     }
-    if (failure) std::rethrow_exception(failure);
-}
 
-void say_where(const RunSettings& settings) {
-    const std::pair<const char*, const std::string&> outputs[] = {{"frames", settings.request.frames_directory},
-                                                                  {"video", settings.request.video_file},
-                                                                  {"trajectory", settings.trajectory_directory},
-                                                                  {"telemetry", settings.telemetry_file},
-                                                                  {"report", settings.report_file},
-                                                                  {"state", settings.save_state_file}};
-    for (const auto& [what, path] : outputs)
-        if (!path.empty()) fmt::print("  {:<11}{}\n", what, path);
-}
+    void fail(FaultKind kind, const std::string& message) {
+        if (code_ != 0) return;
+        code_ = static_cast<int>(kind);
+        report_.outcome = outcome_of(kind, started_);
+        report_.message = message;
+    }
+
+    void refuse(const Diagnostics& faults) {
+        print_faults(faults);
+        std::string message;
+        for (const Diagnostic& fault : faults) message += (message.empty() ? "" : "\n") + to_string(fault);
+        fail(FaultKind::invalid, message);
+    }
+
+    void plan_and_run() {
+        report_.scene = settings_.scene_path;
+        if (!settings_.report_file.empty()) report_file_.emplace(settings_.report_file);
+        const PlannedScene planned = plan_scene(settings_);
+        describe(report_, settings_, planned.plan);
+        if (!planned.plan.faults.empty()) return refuse(planned.plan.faults);
+        const Interrupt interrupt;
+        Session session(planned.plan, settings_.request);
+        if (!session.faults().empty()) return refuse(session.faults());
+        if (!settings_.restore_state_file.empty()) read_snapshot_file(session, settings_.restore_state_file);
+        const Recorders recorders(settings_, session);
+        run_session(session, recorders, interrupt);
+        close(session, recorders);
+    }
+
+    void run_session(Session& session, const Recorders& recorders, const Interrupt& interrupt) {
+        const std::uint64_t first = session.frame();
+        const auto start = std::chrono::steady_clock::now();
+        started_ = true;
+        report_.outcome = "done";
+        attempt([&] {
+            recorders.record();
+            const bool finished = run_frames(session, {settings_.request, settings_.endless, settings_.quiet},
+                                             interrupt, [&] { recorders.record(); });
+            if (!finished) report_.outcome = "stopped";
+        });
+        report_.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        report_.frames = session.frame() - first;
+        report_.simulated_s = static_cast<double>(report_.frames) * session.scene().step;
+    }
+
+    void close(Session& session, const Recorders& recorders) {
+        const bool diverged = report_.outcome == "diverged";
+        attempt([&] { session.finish(); });
+        attempt([&] { add_session(report_, session); });
+        list_pictures();
+        if (recorders.trajectory && attempt([&] { recorders.trajectory->commit(); }) &&
+            recorders.trajectory->whole())
+            written_.emplace_back("trajectory", settings_.trajectory_directory);
+        if (recorders.telemetry && attempt([&] { recorders.telemetry->commit(); }))
+            written_.emplace_back("telemetry", settings_.telemetry_file);
+        const bool saved = recorders.state && attempt([&] {
+                               recorders.state->write(save_snapshot(session));
+                               recorders.state->commit();
+                           });
+        if (saved) written_.emplace_back("state", settings_.save_state_file);
+        if (diverged)
+            spdlog::error("the last good state is of time {:.6g} s{}", session.time(),
+                          saved ? ", in " + settings_.save_state_file : "; --save-state FILE keeps it");
+    }
+
+    // Whoever records pictures says in its measures what there is.
+    void list_pictures() {
+        for (const auto& module : report_.modules)
+            for (const auto& [name, value] : module.report.measures)
+                if (const auto* path = std::get_if<std::string>(&value);
+                    path != nullptr && (name == "frames" || name == "video"))
+                    written_.emplace_back(name, *path);
+    }
+
+    void write_report() {
+        const bool done = attempt([&] {
+            report_file_->write(report_json(report_));
+            report_file_->commit();
+        });
+        if (done) written_.emplace_back("report", settings_.report_file);
+    }
+
+    const RunSettings& settings_;
+    RunReport report_;
+    std::optional<AtomicFile> report_file_;
+    std::vector<std::pair<std::string, std::string>> written_;
+    bool started_ = false;
+    int code_ = 0;
+};
 
 }  // namespace
 
@@ -148,39 +192,7 @@ PlannedScene plan_scene(const RunSettings& settings) {
     return planned;
 }
 
-int run_scene(const RunSettings& settings) {
-    const PlannedScene planned = plan_scene(settings);
-    if (!planned.plan.faults.empty()) {
-        print_faults(planned.plan.faults);
-        return static_cast<int>(FaultKind::invalid);
-    }
-    RunReport report = open_report(settings, planned.plan);
-    int code = 0;
-    try {
-        Session session(planned.plan, settings.request);
-        if (!session.faults().empty()) {
-            print_faults(session.faults());
-            return static_cast<int>(FaultKind::invalid);
-        }
-        if (!settings.restore_state_file.empty()) read_snapshot_file(session, settings.restore_state_file);
-        run_session(settings, session, report);
-    } catch (const Fault& fault) {
-        code = static_cast<int>(fault.kind());
-        if (report.outcome.empty()) report.outcome = outcome_of(fault.kind(), false);
-        if (report.message.empty()) report.message = fault.what();
-        spdlog::error("{}", fault.what());
-        if (report.outcome == "diverged")
-            spdlog::error("the last good state is of time {:.6g} s{}", report.simulated_s,
-                          settings.save_state_file.empty() ? "; --save-state FILE keeps it"
-                                                           : ", in " + settings.save_state_file);
-    }
-    if (!settings.report_file.empty()) write_report(report, settings.report_file);
-    if (!settings.quiet) {
-        fmt::print("{}", report_text(report));
-        say_where(settings);
-    }
-    return code;
-}
+int run_scene(const RunSettings& settings) { return SceneRun(settings).run(); }
 
 int check_scene(RunSettings settings) {
     settings.request.pictures = true;

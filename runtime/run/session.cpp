@@ -75,7 +75,7 @@ void Session::step() {
     });
     try {
         for (const Phase phase : kStepPhases) run_phase(phase);
-    } catch (const Fault&) {
+    } catch (...) {
         const unsigned char* from = last_good_.data();
         for_each_array(instances_, [&](StateBlock::Entry& entry) {
             if (entry.bytes() > 0) std::memcpy(entry.memory(), from, entry.bytes());
@@ -86,14 +86,19 @@ void Session::step() {
     ++frame_;
 }
 
-void Session::present() { run_phase(Phase::present); }
+void Session::present(bool recording) {
+    const Frame frame{frame_, time(), scene_.step};
+    for (const auto& instance : instances_)
+        if (instance->takes_part_in(Phase::present) && (recording || instance->manifest().when != "recording"))
+            instance->run(Phase::present, frame);
+}
 
 void Session::finish() {
     std::exception_ptr first;
     for (const auto& instance : instances_) {
         try {
             instance->finish();
-        } catch (const Fault&) {
+        } catch (...) {
             if (!first) first = std::current_exception();
         }
     }

@@ -30,9 +30,9 @@ public:
     /// One frame: sense, act, integrate, constrain, derive. On a Fault every module's state is again what
     /// it was before the frame.
     void step();
-    /// Draws and records the present state.
-    void present();
-    /// Tells every module that the run is over. Throws the first Fault after telling all.
+    /// Draws the present state, and has it recorded unless told otherwise.
+    void present(bool recording = true);
+    /// Tells every module that the run is over. Throws the first failure after telling all.
     void finish();
 
     /// XXH3 of every state array in attach order, and of the frame number.

@@ -11,7 +11,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "output/atomic_file.hpp"
+#include "orbweaver/fault.hpp"
 
 namespace orbweaver {
 
@@ -180,12 +180,6 @@ bool restore_snapshot(Session& session, std::string_view bytes, const std::strin
     session.set_frame(header.frame);
     for (const auto& instance : session.instances()) instance->restored();
     return header.setup == setup_of(session);
-}
-
-void write_snapshot_file(const Session& session, const std::string& path) {
-    AtomicFile file(path);
-    file.write(save_snapshot(session));
-    file.commit();
 }
 
 void read_snapshot_file(Session& session, const std::string& path) {

@@ -14,7 +14,6 @@ std::string save_snapshot(const Session& session);
 /// are not those it was saved with.
 bool restore_snapshot(Session& session, std::string_view bytes, const std::string& name);
 
-void write_snapshot_file(const Session& session, const std::string& path);
 /// Warns when seed or options are others.
 void read_snapshot_file(Session& session, const std::string& path);
 

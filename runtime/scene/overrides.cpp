@@ -80,6 +80,11 @@ void relocate(Node& node, const Location& where) {
 
 void set_value(Node& scene, const std::string& path, const Node& value) { put(scene, path, value); }
 
+bool is_assignment(std::string_view text) {
+    const std::string path = "." + std::string(text.substr(0, text.find('='))) + ".";
+    return text.find('=') != std::string_view::npos && path.find("..") == std::string::npos;
+}
+
 void apply_override(Node& scene, const std::string& assignment) {
     const auto equals = assignment.find('=');
     if (equals == std::string::npos || equals == 0)

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "scene/node.hpp"
 
 namespace orbweaver {
+
+/// Whether this is "path.to.key=value", with no key of the path empty.
+bool is_assignment(std::string_view text);
 
 /// Puts "path.to.key=value" into a scene: the value is TOML, or a bare word taken as text
 /// ("web.method=rk4"). Where a path meets an array of tables, a number picks one ("web.1.drag=0") and

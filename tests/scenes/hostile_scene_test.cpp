@@ -153,14 +153,41 @@ TEST_CASE("outputs that cannot be written end the run in words and leave nothing
 TEST_CASE("a file-size limit stops a trajectory with exit code 5 and no file under its final name",
           "[extreme]") {
     const Folder folder;
-    const std::string command = "(trap '' XFSZ; ulimit -f 64; '" ORBWEAVER_PROGRAM "' run " +
-                                scene_path("meadow") + " --duration 2 --quiet --trajectory " +
-                                folder.path("t") + ") 2>&1";
+    const std::string command = "(ulimit -f 64; '" ORBWEAVER_PROGRAM "' run " + scene_path("meadow") +
+                                " --duration 2 --quiet --trajectory " + folder.path("t") + ") 2>&1";
     const int status = ::system((command + " > " + folder.path("log")).c_str());
     std::ifstream log(folder.path("log"));
     const std::string text((std::istreambuf_iterator<char>(log)), {});
     CAPTURE(text);
     CHECK(WEXITSTATUS(status) == 5);
     CHECK_FALSE(std::filesystem::exists(folder.path("t/web.position.npy")));
-    CHECK_FALSE(std::filesystem::exists(folder.path("t/web.position.npy.partial")));
+    CHECK_FALSE(std::filesystem::exists(folder.path("t/.web.position.part0.npy")));
+}
+
+TEST_CASE("more pictures a second than frames are refused, and fewer than one are one", "[scene]") {
+    const Folder folder;
+    const std::string run = "run " + scene_path("meadow") + " --duration 0.1 --size 64x48 --video " +
+                            folder.path("a.webp") + " --fps ";
+    const Outcome many = run_program(run + "61");
+    CAPTURE(many.text);
+    CHECK(many.code == 3);
+    CHECK(many.text.find("--fps: 61 pictures a second of 60 frames a second; expected at most 60") !=
+          std::string::npos);
+    const Outcome few = run_program(run + "0.3");
+    CAPTURE(few.text);
+    CHECK(few.code == 0);
+    CHECK(few.text.find("  video      " + folder.path("a.webp")) != std::string::npos);
+    CHECK(std::filesystem::file_size(folder.path("a.webp")) > 0);
+}
+
+TEST_CASE("a video keeps its good pictures when another output's disk is full", "[extreme]") {
+    const Folder folder;
+    // 4 kB: telemetry outgrows it after some frames, the video does not.
+    const std::string command = "(ulimit -f 8; '" ORBWEAVER_PROGRAM "' run " + scene_path("meadow") +
+                                " --duration 2 --quiet --size 16x16 --fps 1 --telemetry " +
+                                folder.path("c.csv") + " --video " + folder.path("a.webp") + ") > " +
+                                folder.path("log") + " 2>&1";
+    CHECK(WEXITSTATUS(::system(command.c_str())) == 5);
+    CHECK(std::filesystem::exists(folder.path("a.webp")));
+    CHECK_FALSE(std::filesystem::exists(folder.path("c.csv")));
 }

@@ -1,13 +1,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
-#include <new>
 
 #include "bake.hpp"
+#include "cli/picture_size.hpp"
+#include "cli/program.hpp"
 #include "orbweaver/build_stamp.hpp"
-#include "orbweaver/fault.hpp"
 #include "output/atomic_file.hpp"
 #include "picture/png.hpp"
 #include "sky.hpp"
@@ -19,21 +17,18 @@ using namespace orbweaver;
 constexpr int kUsage = 2;
 
 void write_sky(const std::string& path, const std::string& size, std::uint64_t seed) {
-    int width = 0;
-    int height = 0;
-    char rest = 0;
-    if (std::sscanf(size.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || height < 16 || height > 4096 ||
-        width != 2 * height)
+    const auto asked = parse_picture_size(size);
+    if (!asked || asked->height < 16 || asked->height > 4096 || asked->width != 2 * asked->height)
         throw CLI::ValidationError(
             "--size",
             fmt::format("'{}' is not the size of a sky; expected WxH, twice as wide as high, 16 to 4096 high",
                         size));
-    const auto sky = make_sky({width, height, seed});
+    const auto sky = make_sky({asked->width, asked->height, seed});
     const auto png = picture::encode_png(sky.width, sky.height, sky.rgb, picture::PngEffort::small);
     AtomicFile file(path);
     file.write(png.data(), png.size());
     file.commit();
-    fmt::print("{}: {} x {} pixels\n", path, width, height);
+    fmt::print("{}: {} x {} pixels\n", path, sky.width, sky.height);
 }
 
 int command_line(int argc, char** argv) {
@@ -68,16 +63,5 @@ int command_line(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        return command_line(argc, argv);
-    } catch (const Fault& fault) {
-        fmt::print(stderr, "error: {}\n", fault.what());
-        return static_cast<int>(fault.kind());
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "error: out of memory; ask for less, or give the process more\n");
-        return static_cast<int>(FaultKind::limit);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
-        return static_cast<int>(FaultKind::internal);
-    }
+    return orbweaver::guarded_main([&] { return command_line(argc, argv); });
 }

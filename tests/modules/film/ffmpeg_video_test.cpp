@@ -1,7 +1,9 @@
 #include "ffmpeg_video.hpp"
 
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -97,6 +99,40 @@ TEST_CASE("a video that is given up leaves no file and no process", "[extreme]")
         video.add(noise(3 * 64 * 48));
     }
     CHECK(scratch.count() == 1);
+}
+
+TEST_CASE("a finished video that cannot get its name leaves nothing", "[extreme]") {
+    const test::Scratch scratch;
+    const auto program = stand_in(scratch, "cat > \"$file\"\n");
+    FfmpegVideo video(program, scratch.path("a.mp4"), {64, 48, 30});
+    video.add(noise(3 * 64 * 48));
+    std::filesystem::create_directory(scratch.path("a.mp4"));
+    CHECK_THROWS_AS(video.close(), Fault);
+    CHECK(scratch.count() == 2);
+}
+
+TEST_CASE("the process has its signals, whatever we block and ignore", "[unit]") {
+    const test::Scratch scratch;
+    const auto program =
+        stand_in(scratch, "cat > /dev/null; grep -E 'Sig(Blk|Ign)' /proc/self/status > \"$file\"\n");
+    sigset_t all;
+    sigset_t before;
+    sigfillset(&all);
+    const auto handler = ::signal(SIGPIPE, SIG_IGN);
+    ::pthread_sigmask(SIG_BLOCK, &all, &before);
+    FfmpegVideo video(program, scratch.path("a.mp4"), {64, 48, 30});
+    video.close();
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    ::signal(SIGPIPE, handler);
+    std::ifstream file(scratch.path("a.mp4"));
+    std::string name;
+    for (std::string mask; file >> name >> mask;) {
+        CAPTURE(name, mask);
+        const auto bits = std::stoull(mask, nullptr, 16);
+        CHECK((bits & (1ULL << (SIGPIPE - 1))) == 0);
+        if (name == "SigBlk:") CHECK((bits & (1ULL << (SIGTERM - 1))) == 0);
+    }
+    CHECK(name == "SigIgn:");
 }
 
 TEST_CASE("the real ffmpeg makes a video of odd size, and says when the disk is full", "[scene]") {

@@ -64,6 +64,7 @@ TEST_CASE("frames and video of one run, without ffmpeg as animated WebP and said
     CHECK(std::filesystem::file_size(set.scratch.path("deep/film.webp")) > 20);
     CHECK(std::filesystem::exists(set.scratch.path("deep/frames/frame_000002.png")));
     CHECK(set.film.report().measures[1].second == MeasureValue{set.scratch.path("deep/film.webp")});
+    CHECK(set.film.report().measures[2].second == MeasureValue{set.scratch.path("deep/frames")});
 }
 
 TEST_CASE("what cannot be written fails before the run starts", "[extreme]") {
@@ -74,18 +75,19 @@ TEST_CASE("what cannot be written fails before the run starts", "[extreme]") {
     };
     const test::Scratch other;
     const auto file = other.write("file", "");
+    std::filesystem::create_directory(other.path("folder.webp"));
     const Case cases[] = {
-        {file, "", "Making the directory " + file + " failed: Not a directory"},
-        {file + "/frames", "", "Making the directory " + file + "/frames failed: Not a directory"},
-        {"", file + "/a.webp", "Making the directory " + file + " failed: Not a directory"},
-        {"", "/dev/full", "The video /dev/full cannot be written: something that is not a file has that name"},
+        {file, "", file + "/frame_000000.png: cannot be written: Not a directory"},
+        {file + "/frames", "", file + "/frames/frame_000000.png: cannot be written: Not a directory"},
+        {"", file + "/a.webp", file + "/a.webp: cannot be written: Not a directory"},
+        {"", other.path("folder.webp"), other.path("folder.webp") + ": cannot be written: it is a folder"},
+        {"", other.path("a.webm"), "The video " + other.path("a.webm") + " has no extension that says how"},
     };
     const SearchPath path("/usr/bin:/bin");
     for (const Case& each : cases) {
         Set set;
         set.host.request_.frames_directory = each.frames;
         set.host.request_.video_file = each.video;
-        if (each.video == "/dev/full" && !std::filesystem::exists("/usr/bin/ffmpeg")) continue;
         REQUIRE_FALSE(set.film.attach(set.host));
         INFO(set.film.fault.sentence);
         CHECK(set.film.fault.sentence.find(each.words) == 0);
@@ -105,4 +107,14 @@ TEST_CASE("a disk that fills during the run is a limit, and no half of a file st
     REQUIRE(set.film.finish());
     const std::filesystem::directory_iterator frames(set.scratch.path("frames"));
     CHECK(std::distance(begin(frames), end(frames)) == 1);
+}
+
+TEST_CASE("of a run without a picture no file is claimed", "[scene]") {
+    Set set;
+    set.host.request_.frames_directory = set.scratch.path("frames");
+    set.host.request_.video_file = set.scratch.path("film.webp");
+    REQUIRE(set.film.attach(set.host));
+    REQUIRE(set.film.finish());
+    CHECK(set.film.report().measures.size() == 1);
+    CHECK_FALSE(std::filesystem::exists(set.scratch.path("film.webp")));
 }

@@ -53,7 +53,8 @@ TEST_CASE("stability limits agree with theory", "[unit]") {
     }
     CHECK(std::isinf(stability_limit(method("rk4"), 0, 0)));
     for (const char* name : {"implicit_euler", "sdirk2"}) {
-        for (const double mu : {0.0, 1e-3, 10.0, 1e6}) CHECK(std::isinf(stability_limit(method(name), 500, mu)));
+        for (const double mu : {0.0, 1e-3, 10.0, 1e6})
+            CHECK(std::isinf(stability_limit(method(name), 500, mu)));
     }
 }
 
@@ -130,8 +131,7 @@ TEST_CASE("what cannot oscillate takes any step", "[extreme]") {
             const Advice advice = advice_for(*body, info.name.data());
             CHECK(std::isinf(advice.stable_step));
             CHECK_FALSE(advice.has_spring);
-            CHECK(advice.sentence ==
-                  "every step of " + std::string(info.name) + " is stable here");
+            CHECK(advice.sentence == "every step of " + std::string(info.name) + " is stable here");
         }
     }
     const Advice slowed = advice_for(one_alone, "rk4", 4);

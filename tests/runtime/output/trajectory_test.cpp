@@ -71,7 +71,17 @@ TEST_CASE("a trajectory that is given up leaves no file", "[extreme]") {
     CHECK(folder.names().empty());
     folder.write("file", "x");
     CHECK(fault_of([&] { Trajectory(*opened.session, folder.path("file/t")); }) ==
-          folder.path("file/t") +
-              ": the folder for the trajectory cannot be made: Not a directory; choose another, or "
-              "change its parent's permissions");
+          folder.path("file/t/time.npy") +
+              ": cannot be written: Not a directory; check that the folder exists and may be written");
+}
+
+TEST_CASE("a scene's name that is no UTF-8 does not keep a trajectory from its end", "[extreme]") {
+    const Folder folder;
+    OpenedScene opened("[counter]\n", {"counter"});
+    opened.plan.scene.name = "meadow\xff";
+    const Session session(opened.plan, opened.request);
+    Trajectory trajectory(session, folder.path("t"));
+    trajectory.record();
+    trajectory.commit();
+    CHECK(json::parse(read_file(folder.path("t/trajectory.json")))["scene"] == "meadow\uFFFD");
 }

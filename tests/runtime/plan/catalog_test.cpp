@@ -38,7 +38,8 @@ TEST_CASE("of modules with one id, the folder searched first wins", "[unit]") {
     CHECK(find(catalog, "web")->path == one.path() + "/web.toml");
 }
 
-TEST_CASE("two modules that answer to one table are a fault, and so is one that answers to the scene's own", "[unit]") {
+TEST_CASE("two modules that answer to one table are a fault, and so is one that answers to the scene's own",
+          "[unit]") {
     ManifestFolder one;
     one.add("breeze", "table = \"wind\"");
     one.add("stage", "table = \"scene\"");

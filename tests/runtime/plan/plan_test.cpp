@@ -197,3 +197,18 @@ TEST_CASE("planning is a pure function that opens no library", "[unit]") {
     CHECK(plan_text(first.plan) == plan_text(second.plan));
     CHECK(loaded_libraries() == before);
 }
+
+TEST_CASE("more pictures a second than frames are a fault of the plan", "[unit]") {
+    const ManifestFolder folder = world();
+    Request request = recording();
+    const auto faults = [&](double rate) {
+        request.frames_per_second = rate;
+        return Planned(folder.catalog(), "[scene]\nstep = \"1/60 s\"\n[web]\n[wind]\n[view]\n", request)
+            .faults();
+    };
+    CHECK(faults(0) == Texts{});
+    CHECK(faults(60) == Texts{});
+    CHECK(faults(60.5) ==
+          Texts{"--fps: 60.5 pictures a second of 60 frames a second; expected at most 60; leave it "
+                "out, or make --step smaller"});
+}

@@ -1,8 +1,10 @@
 #include "run/frame_loop.hpp"
 
 #include <signal.h>
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <thread>
 
 #include "support/opened_scene.hpp"
 
@@ -35,8 +37,10 @@ TEST_CASE("pictures fall due at their own rate, none twice in a frame", "[unit]"
     CHECK(pictures(1.0 / 60, 1, 600) == 10);
     CHECK(pictures(1.0 / 60, 1000, 60) == 60);
     CHECK(pictures(0.1, 10, 1000) == 1000);
-    CHECK(picture_due(1, 1.0 / 60, 30));
-    CHECK_FALSE(picture_due(0, 1.0 / 60, 30));
+    CHECK(pictures(1.0 / 60, 0.3, 60) == 1);
+    CHECK(picture_due(0, 1.0 / 60, 30));
+    CHECK_FALSE(picture_due(1, 1.0 / 60, 30));
+    CHECK(picture_due(2, 1.0 / 60, 30));
 }
 
 TEST_CASE("a loop runs to the scene's end and records every frame", "[unit]") {
@@ -68,7 +72,21 @@ TEST_CASE("an interrupted loop stops between frames", "[unit]") {
     const OpenedScene opened("[scene]\nduration = 10\nstep = 0.1\n[counter]\n", {"counter"});
     const Interrupt interrupt;
     CHECK_FALSE(run_frames(*opened.session, {opened.request, false, true}, interrupt, [&] {
-        if (opened.session->frame() == 4) ::raise(SIGINT);
+        if (opened.session->frame() != 4) return;
+        ::kill(::getpid(), SIGINT);
+        while (!interrupt.requested()) std::this_thread::yield();
     }));
     CHECK(opened.session->frame() == 4);
+}
+
+TEST_CASE("a loop that goes on from a saved frame takes its first picture at once", "[unit]") {
+    Request request;
+    request.frames_directory = "out";
+    request.frames_per_second = 1;
+    const OpenedScene opened("[scene]\nduration = 1\nstep = 0.1\n[counter]\n", {"counter"}, request);
+    opened.session->set_frame(7);
+    const Interrupt interrupt;
+    run_frames(*opened.session, {opened.request, false, true}, interrupt, [] {});
+    const auto report = opened.session->instances().front()->report();
+    CHECK(std::get<std::int64_t>(report.measures.front().second) == 1);
 }

@@ -85,7 +85,7 @@ TEST_CASE("a run that diverges keeps its last good state and says so with code 4
 }
 
 TEST_CASE("an interrupted run completes its files and says that it was stopped", "[scene]") {
-    for (const int signal : {SIGINT, SIGTERM}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         CAPTURE(signal);
         const Folder folder;
         const std::string scene = folder.write(
@@ -93,7 +93,7 @@ TEST_CASE("an interrupted run completes its files and says that it was stopped",
         Program program({"run", scene, "--quiet", "--modules", fixture("counter"), "--trajectory",
                          folder.path("t"), "--telemetry", folder.path("c.csv"), "--report",
                          folder.path("r.json")});
-        while (!std::filesystem::exists(folder.path("c.csv.partial")))
+        while (!std::filesystem::exists(folder.path(".c.part0.csv")))
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         program.send(signal);
@@ -129,7 +129,7 @@ TEST_CASE("an output that cannot be written ends the run in words and leaves not
         const std::string below = folder.path("file/out");
         const Outcome outcome = run({scene, "--quiet", option, below}, {"counter"});
         CHECK(outcome.code == 1);
-        CHECK(outcome.err.find("error: " + below + ": ") != std::string::npos);
+        CHECK(outcome.err.find("error: " + below) != std::string::npos);
         CHECK(folder.names() == std::vector<std::string>{"file", "scene.toml"});
     }
 }
@@ -153,6 +153,100 @@ TEST_CASE("a disk that fills while a run goes ends it with code 5 and no half-wr
         for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
             CHECK((entry.is_directory() || entry.path().filename() == "scene.toml"));
     }
+}
+
+TEST_CASE("whatever fails while a run is closed, everything else is closed", "[extreme]") {
+    const Folder folder;
+    for (const char* what : {"fault", "exception", "memory", "integer"}) {
+        CAPTURE(what);
+        const std::string scene = folder.write(
+            "scene.toml", fmt::format("[scene]\nduration = 1\nstep = 0.1\n[counter]\n[thrower]\nwhere = "
+                                      "\"finish\"\nwhat = \"{}\"\n",
+                                      what));
+        const Outcome outcome =
+            run({scene, "--trajectory", folder.path("t"), "--telemetry", folder.path("c.csv"), "--report",
+                 folder.path("r.json"), "--save-state", folder.path("state")},
+                {"counter", "thrower"});
+        CHECK(outcome.code != 0);
+        CHECK(folder.names() == std::vector<std::string>{"c.csv", "r.json", "scene.toml", "state", "t"});
+        const json report = json::parse(read_file(folder.path("r.json")));
+        CHECK(report["frames"] == 10);
+        CHECK(report["modules"].size() == 2);
+        for (const char* name : {"c.csv", "r.json", "state", "t"})
+            std::filesystem::remove_all(folder.path(name));
+    }
+}
+
+TEST_CASE("a report that cannot be written does not hide why the run ended", "[extreme]") {
+    const Folder folder;
+    const std::string scene = folder.write(
+        "scene.toml", "[scene]\nname = \"" + std::string(8000, 'n') + "\"\nstep = 0.1\n[diverges]\n");
+    const Outcome outcome = [&] {
+        const FileSizeLimit limit(4096);
+        return run({scene, "--quiet", "--report", folder.path("r.json")}, {"diverges"});
+    }();
+    CHECK(outcome.code == 4);
+    CHECK_THAT(outcome.err, Catch::Contains("r.json: cannot be written: File too large"));
+    CHECK(folder.names() == std::vector<std::string>{"scene.toml"});
+}
+
+TEST_CASE("every output is tried before the first frame, and its folders are made", "[extreme]") {
+    const Folder folder;
+    const std::string scene = folder.write("scene.toml", kScene);
+    folder.write("file", "x");
+    for (const char* option : {"--report", "--save-state"}) {
+        CAPTURE(option);
+        const Outcome outcome = run({scene, option, folder.path("file/out")}, {"counter"});
+        CHECK(outcome.code == 1);
+        CHECK(outcome.err.find("frames") == std::string::npos);
+        CHECK(outcome.out == "");  // no report of a run that was none
+        CHECK(
+            run({scene, "--quiet", option, folder.path(std::string("deep/of/") + option)}, {"counter"}).code ==
+            0);
+        CHECK(std::filesystem::is_regular_file(folder.path(std::string("deep/of/") + option)));
+    }
+}
+
+TEST_CASE("a report is written of a scene that is invalid, too", "[extreme]") {
+    const Folder folder;
+    const std::string report = folder.path("r.json");
+    for (const char* text : {"[counter]\nstart = 1001\n", "[counter\n"}) {
+        CAPTURE(text);
+        const std::string scene = folder.write("scene.toml", text);
+        const Outcome outcome = run({scene, "--report", report}, {"counter"});
+        CHECK(outcome.code == 3);
+        CHECK(outcome.out == "");
+        const json said = json::parse(read_file(report));
+        CHECK(said["outcome"] == "invalid");
+        CHECK_THAT(said["message"].get<std::string>(), Catch::StartsWith(scene + ":"));
+        std::filesystem::remove(report);
+    }
+}
+
+TEST_CASE("the last good state of a run that went on from another is of the scene's time", "[scene]") {
+    const Folder folder;
+    const std::string scene = folder.write("scene.toml", "[scene]\nstep = 0.1\n[diverges]\n");
+    const std::string state = folder.path("state");
+    REQUIRE(run({scene, "--duration", "0.2", "--save-state", state}, {"diverges"}).code == 0);
+    const Outcome outcome = run({scene, "--restore-state", state, "--save-state", state}, {"diverges"});
+    CHECK(outcome.code == 4);
+    CHECK_THAT(outcome.err, Catch::Contains("the last good state is of time 0.3 s, in " + state));
+}
+
+TEST_CASE("a second signal ends a run within its frame, and leaves nothing under a final name", "[extreme]") {
+    const Folder folder;
+    const std::string scene =
+        folder.write("scene.toml", "[scene]\nduration = 1\nstep = 0.1\n[counter]\nnested.delay = 60\n");
+    Program program(
+        {"run", scene, "--quiet", "--modules", fixture("counter"), "--telemetry", folder.path("c.csv")});
+    while (!std::filesystem::exists(folder.path(".c.part0.csv")))
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    program.send(SIGTERM);
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    program.send(SIGINT);
+    CHECK(program.wait().code == -SIGINT);
+    CHECK_FALSE(std::filesystem::exists(folder.path("c.csv")));
 }
 
 TEST_CASE("checking a scene runs nothing and says what it found", "[scene]") {

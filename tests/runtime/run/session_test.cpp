@@ -112,3 +112,17 @@ TEST_CASE("finishing tells every module, and then of the first that failed", "[u
     CHECK(fault_of([&] { opened.session->finish(); }) ==
           "module 'thrower' failed while finishing: the well is dry; dig deeper");
 }
+
+TEST_CASE("what records is passed over when a picture is only to be seen", "[unit]") {
+    OpenedScene opened("[counter]\n", {"counter"});
+    const auto pictures = [&] {
+        return std::get<std::int64_t>(opened.session->instances().front()->report().measures.front().second);
+    };
+    opened.session->present(false);
+    CHECK(pictures() == 1);
+    opened.catalog.manifests.front().when = "recording";
+    opened.session->present(false);
+    CHECK(pictures() == 1);
+    opened.session->present();
+    CHECK(pictures() == 2);
+}

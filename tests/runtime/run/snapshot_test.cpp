@@ -143,8 +143,7 @@ TEST_CASE("snapshots go through files", "[unit]") {
     const Folder folder;
     const OpenedScene saved(kScene, {"counter"});
     saved.run(5);
-    write_snapshot_file(*saved.session, folder.path("state"));
-    CHECK(folder.names() == std::vector<std::string>{"state"});
+    folder.write("state", save_snapshot(*saved.session));
     const OpenedScene opened(kScene, {"counter"});
     read_snapshot_file(*opened.session, folder.path("state"));
     CHECK(opened.session->state_hash() == saved.session->state_hash());

@@ -99,3 +99,10 @@ TEST_CASE("an override that leads nowhere is refused in words", "[extreme]") {
     CHECK(fault_of([&] { apply_override(root, deep + "=1"); }) ==
           "--set " + deep.substr(0, 40) + "...: the path names more than 64 tables");
 }
+
+TEST_CASE("an assignment has an equals sign and a path without empty keys", "[unit]") {
+    for (const char* good : {"web.drag=1", "a=", "web.1.drag=a=b", "a=..", "a = .."})
+        CHECK(is_assignment(good));
+    for (const char* bad : {"", "foo", "=1", ".web=1", "web.=1", "a..b=1", "a.b"})
+        CHECK_FALSE(is_assignment(bad));
+}
