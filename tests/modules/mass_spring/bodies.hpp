@@ -59,6 +59,21 @@ inline Body bead_string(std::size_t beads, double spacing, double mass, double s
     return body;
 }
 
+/// A thread of `links` links between two fixed points `span` apart, laid as a shallow V, its mass at the
+/// joints.
+inline Body hanging_thread(std::size_t links, double span, double length, double mass, double stiffness) {
+    Body body;
+    const double each = mass / static_cast<double>(links);
+    for (std::size_t i = 0; i <= links; ++i) {
+        const double s = static_cast<double>(i) / static_cast<double>(links);
+        const bool end = i == 0 || i == links;
+        body.add({span * s, -0.1 * span * (1 - std::abs(2 * s - 1)), 0}, end ? each / 2 : each, end);
+    }
+    for (std::uint32_t i = 0; i < links; ++i)
+        body.join(i, i + 1, length / static_cast<double>(links), stiffness);
+    return body;
+}
+
 /// A hub with `spokes` springs of 0.1 m, slightly taut, to fixed ends.
 inline Body wheel(std::size_t spokes, double mass, double stiffness, double damping) {
     Body body;

@@ -9,28 +9,10 @@ using bodies::Body;
 using namespace orbweaver;
 using namespace orbweaver::mass_spring;
 
-namespace {
-
-/// A thread of `links` between two fixed points `span` apart, laid as a shallow V, its mass at the joints.
-Body thread(std::size_t links, double span, double length, double mass, double stiffness) {
-    Body body;
-    const double rest = length / static_cast<double>(links);
-    const double each = mass / static_cast<double>(links);
-    for (std::size_t i = 0; i <= links; ++i) {
-        const double s = static_cast<double>(i) / static_cast<double>(links);
-        const bool end = i == 0 || i == links;
-        body.add({span * s, -0.1 * span * (1 - std::abs(2 * s - 1)), 0}, end ? each / 2 : each, end);
-    }
-    for (std::uint32_t i = 0; i < links; ++i) body.join(i, i + 1, rest, stiffness);
-    return body;
-}
-
-}  // namespace
-
 TEST_CASE("a hanging thread sags as a catenary and its anchors bear its weight", "[unit]") {
     // 2 c sinh(D/(2 c)) = L, sag = c (cosh(D/(2 c)) - 1): 27.18 mm for D = 0.19 m, L = 0.20 m.
     constexpr double kSpan = 0.19, kLength = 0.20, kSag = 27.18e-3, kMass = 1e-5;
-    Body body = thread(60, kSpan, kLength, kMass, 600);  // EA = 2 N, 20000 times the weight
+    Body body = bodies::hanging_thread(60, kSpan, kLength, kMass, 600);  // EA = 2 N, 20000 times the weight
     SpringSystem system(body.network, nullptr);
     system.set_surroundings({{0, -9.81, 0}, 0, {}});
     const double weight = 9.81 * kMass;

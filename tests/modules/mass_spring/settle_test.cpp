@@ -12,20 +12,6 @@ using namespace orbweaver::mass_spring;
 
 namespace {
 
-/// `links` links of a thread between two fixed points `span` apart, laid as a shallow V.
-Body hanging_thread(std::size_t links, double span, double length, double mass, double stiffness) {
-    Body body;
-    const double each = mass / static_cast<double>(links);
-    for (std::size_t i = 0; i <= links; ++i) {
-        const double s = static_cast<double>(i) / static_cast<double>(links);
-        const bool end = i == 0 || i == links;
-        body.add({span * s, -0.1 * span * (1 - std::abs(2 * s - 1)), 0}, end ? each / 2 : each, end);
-    }
-    for (std::uint32_t i = 0; i < links; ++i)
-        body.join(i, i + 1, length / static_cast<double>(links), stiffness);
-    return body;
-}
-
 /// Moves what is free by up to `size` m.
 void shake(Body& body, double size) {
     const RandomStream random(7, "shake");
@@ -55,7 +41,7 @@ Body taut_net(std::uint32_t n) {
 
 TEST_CASE("a hanging thread settles into a catenary", "[unit]") {
     // 2 c sinh(D/(2 c)) = L, sag = c (cosh(D/(2 c)) - 1): 27.18 mm for D = 0.19 m, L = 0.20 m.
-    Body body = hanging_thread(60, 0.19, 0.20, 1e-5, 600);
+    Body body = bodies::hanging_thread(60, 0.19, 0.20, 1e-5, 600);
     SpringSystem system(body.network, nullptr);
     system.set_surroundings({{0, -9.81, 0}, 0, {}});
     const Settlement result = settle(system, body.x);
