@@ -7,7 +7,7 @@ namespace orbweaver::mass_spring {
 // One line per file of a method; methods.cpp gathers them into the table.
 std::unique_ptr<Method> make_explicit_euler(std::size_t length);
 std::unique_ptr<Method> make_symplectic_euler(std::size_t length);
-std::unique_ptr<Method> make_velocity_verlet(std::size_t length);
+std::unique_ptr<Method> make_verlet(std::size_t length);
 std::unique_ptr<Method> make_rk4(std::size_t length);
 std::unique_ptr<Method> make_implicit_euler(std::size_t length);
 std::unique_ptr<Method> make_sdirk2(std::size_t length);

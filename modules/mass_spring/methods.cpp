@@ -10,7 +10,7 @@ std::span<const MethodInfo> methods() noexcept {
         // name, order, evaluations, make
         {"explicit_euler", 1, 1, make_explicit_euler},
         {"symplectic_euler", 1, 1, make_symplectic_euler},
-        {"velocity_verlet", 2, 2, make_velocity_verlet},
+        {"verlet", 2, 2, make_verlet},
         {"rk4", 4, 4, make_rk4},
         {"implicit_euler", 1, 1, make_implicit_euler},
         {"sdirk2", 2, 0, make_sdirk2},

@@ -105,10 +105,9 @@ private:
         settings.warn = [&host](const std::string& sentence) { host.log(LogLevel::warning, sentence); };
         simulation_ = std::make_unique<mass_spring::Simulation>(*system_, settings, host.scene().step,
                                                                 position_, velocity_, substep_);
-        host.telemetry("energy_j", "J", [this] { return energy().total(); });
-        host.telemetry("kinetic_energy_j", "J", [this] { return energy().kinetic; });
-        host.telemetry("max_strain", "1",
-                       [this] { return measure_threads(web_.network, position_).max_strain; });
+        host.telemetry("energy_j", [this] { return energy().total(); });
+        host.telemetry("kinetic_energy_j", [this] { return energy().kinetic; });
+        host.telemetry("max_strain", [this] { return measure_threads(web_.network, position_).max_strain; });
     }
 
     void settle(Host& host) {

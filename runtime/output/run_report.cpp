@@ -28,9 +28,13 @@ Json measures_json(const ModuleReport& report) {
 }
 
 Json module_json(const RunReport::ModuleEntry& module) {
-    Json json = {
-        {"name", module.name},          {"module", module.module}, {"method", module.report.method},
-        {"steps", module.report.steps}, {"wall_s", module.wall_s}, {"memory_bytes", module.memory_bytes}};
+    Json json = {{"name", module.name},
+                 {"module", module.module},
+                 {"method", module.report.method},
+                 {"steps", module.report.steps},
+                 {"setup_s", module.setup_s},
+                 {"wall_s", module.wall_s},
+                 {"memory_bytes", module.memory_bytes}};
     if (module.report.has_error)
         json["error_estimate"] = {{"value", number(module.report.error.value)},
                                   {"unit", module.report.error.unit},
@@ -69,16 +73,17 @@ std::string report_text(const RunReport& report) {
         fmt::format("{}: {}, {} frames, {:.6g} s simulated in {:.3g} s, {:.3g} x real time, state {:016x}\n",
                     report.scene, report.outcome, report.frames, report.simulated_s, report.wall_s,
                     report.real_time_factor(), report.state_hash);
-    text += fmt::format("  {:<16} {:<18} {:>10} {:>10} {:>10}  {}\n", "module", "method", "steps", "cost s",
-                        "memory kB", "error");
+    text += fmt::format("  {:<16} {:<18} {:>10} {:>10} {:>10} {:>10}  {}\n", "module", "method", "steps",
+                        "set-up s", "cost s", "memory kB", "error");
     for (const auto& module : report.modules) {
         const std::string error = module.report.has_error
                                       ? fmt::format("{:.2g} {} ({})", module.report.error.value,
                                                     module.report.error.unit, module.report.error.how)
                                       : "none: nothing is approximated over time";
-        text += fmt::format("  {:<16} {:<18} {:>10} {:>10.3f} {:>10.1f}  {}\n", module.name,
-                            module.report.method.empty() ? "-" : module.report.method, module.report.steps,
-                            module.wall_s, static_cast<double>(module.memory_bytes) / 1000, error);
+        text +=
+            fmt::format("  {:<16} {:<18} {:>10} {:>10.3f} {:>10.3f} {:>10.1f}  {}\n", module.name,
+                        module.report.method.empty() ? "-" : module.report.method, module.report.steps,
+                        module.setup_s, module.wall_s, static_cast<double>(module.memory_bytes) / 1000, error);
     }
     return text;
 }

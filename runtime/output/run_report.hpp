@@ -14,7 +14,8 @@ struct RunReport {
     struct ModuleEntry {
         std::string name;
         std::string module;
-        double wall_s = 0;
+        double setup_s = 0;  ///< before time starts
+        double wall_s = 0;   ///< in its frames
         std::size_t memory_bytes = 0;
         ModuleReport report;
     };

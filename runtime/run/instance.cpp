@@ -8,6 +8,16 @@
 
 namespace orbweaver {
 
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
 Instance::Instance(PlannedModule planned, std::shared_ptr<const LoadedModule> library, const SceneInfo& scene,
                    const Request& request, Contracts& contracts)
     : planned_(std::move(planned)),
@@ -30,8 +40,11 @@ void Instance::fail(const char* doing, const FaultRecord& record) const {
 }
 
 void Instance::attach() {
+    const auto start = Clock::now();
     FaultRecord record;
-    if (!library_->descriptor().attach(*module_, *this, record)) fail("while attaching", record);
+    const bool good = library_->descriptor().attach(*module_, *this, record);
+    setup_seconds_ = seconds_since(start);
+    if (!good) fail("while attaching", record);
     if (!faults_.empty()) return;
     for (const std::string& contract : planned_.manifest->provides)
         if (std::find(provided_.begin(), provided_.end(), contract) == provided_.end())
@@ -41,10 +54,10 @@ void Instance::attach() {
 }
 
 void Instance::run(Phase phase, const Frame& frame) {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     FaultRecord record;
     const bool good = library_->descriptor().run(*module_, phase, frame, record);
-    wall_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    wall_seconds_ += seconds_since(start);
     if (!good) fail(fmt::format("in frame {}, phase {}", frame.index, to_string(phase)).c_str(), record);
 }
 
@@ -76,8 +89,8 @@ void Instance::log(LogLevel level, std::string_view sentence) {
     spdlog::log(levels[static_cast<std::size_t>(level)], "{}: {}", planned_.instance, sentence);
 }
 
-void Instance::telemetry(std::string name, std::string unit, std::function<double()> value) {
-    telemetry_.push_back({std::move(name), std::move(unit), std::move(value)});
+void Instance::telemetry(std::string name, std::function<double()> value) {
+    telemetry_.push_back({std::move(name), std::move(value)});
 }
 
 void Instance::provide_contract(std::string_view contract, void* implementation) {

@@ -18,7 +18,6 @@ using Contracts = std::map<std::string, std::vector<void*>, std::less<>>;
 
 struct TelemetryColumn {
     std::string name;
-    std::string unit;
     std::function<double()> value;
 };
 
@@ -44,7 +43,8 @@ public:
     const Diagnostics& faults() const noexcept { return faults_; }
     const StateBlock& block() const noexcept { return state_; }
     StateBlock& block() noexcept { return state_; }
-    double wall_seconds() const noexcept { return wall_seconds_; }
+    double setup_seconds() const noexcept { return setup_seconds_; }  ///< s in attach()
+    double wall_seconds() const noexcept { return wall_seconds_; }    ///< s in run()
 
     const std::string& instance_name() const noexcept override { return planned_.instance; }
     const Options& options() const noexcept override { return planned_.options; }
@@ -53,7 +53,7 @@ public:
     StateStore& state() noexcept override { return state_; }
     void log(LogLevel level, std::string_view sentence) override;
     void report_fault(Diagnostic fault) override { faults_.push_back(std::move(fault)); }
-    void telemetry(std::string name, std::string unit, std::function<double()> value) override;
+    void telemetry(std::string name, std::function<double()> value) override;
 
 protected:
     void provide_contract(std::string_view contract, void* implementation) override;
@@ -71,6 +71,7 @@ private:
     std::vector<std::string> provided_;
     std::vector<TelemetryColumn> telemetry_;
     Diagnostics faults_;
+    double setup_seconds_ = 0;
     double wall_seconds_ = 0;
     Module* module_ = nullptr;
 };

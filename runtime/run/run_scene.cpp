@@ -40,8 +40,12 @@ void add_session(RunReport& report, const Session& session) {
     report.state_hash = session.state_hash();
     report.loaded_libraries = loaded_libraries();
     for (const auto& instance : session.instances()) {
-        RunReport::ModuleEntry entry{instance->instance_name(), instance->manifest().id,
-                                     instance->wall_seconds(), 0, instance->report()};
+        RunReport::ModuleEntry entry;
+        entry.name = instance->instance_name();
+        entry.module = instance->manifest().id;
+        entry.setup_s = instance->setup_seconds();
+        entry.wall_s = instance->wall_seconds();
+        entry.report = instance->report();
         entry.memory_bytes = instance->block().bytes() + entry.report.memory_bytes;
         report.modules.push_back(std::move(entry));
     }

@@ -37,7 +37,7 @@ public:
     StateStore& state() noexcept override { std::terminate(); }
     void log(LogLevel, std::string_view sentence) override { logged.emplace_back(sentence); }
     void report_fault(Diagnostic fault) override { faults.push_back(std::move(fault)); }
-    void telemetry(std::string, std::string, std::function<double()>) override {}
+    void telemetry(std::string, std::function<double()>) override {}
 
 protected:
     void provide_contract(std::string_view contract, void* implementation) override {

@@ -62,9 +62,9 @@ public:
     virtual void log(LogLevel level, std::string_view sentence) = 0;
     /// Collects a fault of the scene or of an asset; attach() may go on to find more. The run does not start.
     virtual void report_fault(Diagnostic fault) = 0;
-    /// A column of --telemetry. `value` is asked at the end of every frame, only when somebody records; it must
-    /// not throw.
-    virtual void telemetry(std::string name, std::string unit, std::function<double()> value) = 0;
+    /// A column of --telemetry; its name ends in its unit ("energy_j"). `value` is asked at the end of every
+    /// frame, only when somebody records; it must not throw.
+    virtual void telemetry(std::string name, std::function<double()> value) = 0;
 
     /// A stream of this instance's own: independent of every other name and instance.
     RandomStream random(std::string_view stream) const {

@@ -50,6 +50,7 @@ TEST_CASE("the report of a run has every key that others rely on, and finite fig
     CHECK(module["name"] == "counter");
     CHECK(module["method"] == "counting");
     CHECK(module["steps"] == 10);
+    CHECK(module["setup_s"].get<double>() > 0);
     CHECK(module["wall_s"].get<double>() > 0);
     CHECK(module["memory_bytes"] == 1000 + 8 + 2 * 24 + 8);
     CHECK(module["error_estimate"] == json({{"value", 0.5}, {"unit", "m"}, {"how", "half a step"}}));

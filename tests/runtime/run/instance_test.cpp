@@ -104,7 +104,6 @@ TEST_CASE("an instance offers its options, state, telemetry and report", "[unit]
     CHECK(second.takes_part_in(Phase::integrate));
     CHECK_FALSE(second.takes_part_in(Phase::sense));
     REQUIRE(second.telemetry_columns().size() == 1);
-    CHECK(second.telemetry_columns().front().unit == "m");
     opened.run(3);
     const ModuleReport report = second.report();
     CHECK(report.method == "counting");

@@ -32,8 +32,6 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Method> make_velocity_verlet(std::size_t length) {
-    return std::make_unique<VelocityVerlet>(length);
-}
+std::unique_ptr<Method> make_verlet(std::size_t length) { return std::make_unique<VelocityVerlet>(length); }
 
 }  // namespace orbweaver::mass_spring
