@@ -25,12 +25,16 @@ public:
                        std::span<double> a) noexcept override {
         for (std::size_t i = 0; i < 2; ++i) a[i] = -squared_ * x[i] - mu_ * v[i];
     }
-    bool prepare(std::span<const double>, double c, double k) override {
+    double spectral_radius() override { return std::max(std::sqrt(squared_), mu_); }
+    bool prepare(std::span<const double>, double c, double k, Tangent) override {
         weight_ = 1 + c * mu_ + k * squared_;
         return true;
     }
     void solve(std::span<const double> r, std::span<double> u) override {
         for (std::size_t i = 0; i < 2; ++i) u[i] = r[i] / weight_;
+    }
+    double inner_product(std::span<const double> r, std::span<const double> u) const noexcept override {
+        return r[0] * u[0] + r[1] * u[1];
     }
 
 private:

@@ -1,159 +1,189 @@
 #include "block_solver.hpp"
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 #include <algorithm>
+#include <cmath>
+
+#include "lanes.hpp"
+#include "targets.hpp"
 
 namespace orbweaver::mass_spring {
+namespace {
 
-using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int32_t>;
+constexpr std::size_t kBlock = 12;  ///< doubles: three columns of four lanes, the last of which stays zero
+constexpr std::size_t kColumn = 4;
 
-struct BlockSolver::Factors {
-    Matrix matrix;  ///< lower triangle
-    Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<std::int32_t>> ldlt;
-    Eigen::VectorXd right, solution;
+ORBWEAVER_INLINE Lanes broadcast(double s) noexcept { return Lanes{s, s, s, s}; }
+
+/// A block's columns.
+struct Block {
+    Lanes x, y, z;
 };
 
-BlockSolver::BlockSolver(const Network& network)
-    : position_(network.size(), -1), factors_(std::make_unique<Factors>()) {
-    order(network);
-    const Neighbors below = find_neighbors(network);
-    make_pattern(below);
-    place_springs(network, below);
-    factors_->ldlt.analyzePattern(factors_->matrix);
-    factors_->right.resize(factors_->matrix.rows());
+ORBWEAVER_INLINE Block load_block(const double* from) noexcept {
+    return {load(from), load(from + 4), load(from + 8)};
 }
 
-BlockSolver::~BlockSolver() = default;
-
-void BlockSolver::order(const Network& network) {
-    for (std::size_t i = 0; i < network.size(); ++i)
-        if (network.fixed[i] == 0) position_[i] = static_cast<std::int32_t>(free_++);
-    std::vector<Eigen::Triplet<double, std::int32_t>> joined;
-    for (const Spring& s : network.springs) {
-        const std::int32_t a = position_[s.a], b = position_[s.b];
-        if (a < 0 || b < 0) continue;
-        joined.emplace_back(a, b, 1.0);
-        joined.emplace_back(b, a, 1.0);
-    }
-    const auto size = static_cast<std::int32_t>(free_);
-    for (std::int32_t i = 0; i < size; ++i) joined.emplace_back(i, i, 1.0);
-    Matrix graph(size, size);
-    graph.setFromTriplets(joined.begin(), joined.end());
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, std::int32_t> inverse;
-    Eigen::AMDOrdering<std::int32_t>()(graph, inverse);  // new place -> old place
-    std::vector<std::int32_t> moved(free_);
-    for (std::int32_t i = 0; i < size; ++i) moved[static_cast<std::size_t>(inverse.indices()[i])] = i;
-    for (std::int32_t& position : position_)
-        if (position >= 0) position = moved[static_cast<std::size_t>(position)];
+ORBWEAVER_INLINE void store_block(double* to, const Block& b) noexcept {
+    store(to, b.x);
+    store(to + 4, b.y);
+    store(to + 8, b.z);
 }
 
-BlockSolver::Neighbors BlockSolver::find_neighbors(const Network& network) const {
-    Neighbors below(free_);
-    for (const Spring& s : network.springs) {
-        const auto [first, second] = std::minmax(position_[s.a], position_[s.b]);
-        if (first >= 0) below[static_cast<std::size_t>(first)].push_back(second);
-    }
-    for (auto& neighbors : below) {
-        std::sort(neighbors.begin(), neighbors.end());
-        neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
-    }
-    return below;
+/// B u
+ORBWEAVER_INLINE Lanes times(const Block& b, const double* u) noexcept {
+    return b.x * broadcast(u[0]) + b.y * broadcast(u[1]) + b.z * broadcast(u[2]);
 }
 
-void BlockSolver::make_pattern(const Neighbors& below) {
-    Matrix& matrix = factors_->matrix;
-    const auto size = static_cast<std::int32_t>(3 * free_);
-    std::size_t entries = 0;
-    for (const auto& neighbors : below) entries += 6 + 9 * neighbors.size();
-    matrix.resize(size, size);
-    matrix.resizeNonZeros(static_cast<Eigen::Index>(entries));
-    std::int32_t next = 0;
-    for (std::int32_t column = 0; column < size; ++column) {
-        const std::int32_t particle = column / 3;
-        matrix.outerIndexPtr()[column] = next;
-        for (std::int32_t row = column; row < 3 * particle + 3; ++row) matrix.innerIndexPtr()[next++] = row;
-        for (const std::int32_t other : below[static_cast<std::size_t>(particle)])
-            for (std::int32_t r = 0; r < 3; ++r) matrix.innerIndexPtr()[next++] = 3 * other + r;
-    }
-    matrix.outerIndexPtr()[size] = next;
+ORBWEAVER_INLINE double sum(const Lanes& s) noexcept { return s[0] + s[1] + s[2]; }
+
+/// The lower triangle of a positive definite block, factorised, its diagonal inverted; false where it is not.
+ORBWEAVER_INLINE bool factorize_diagonal(double* d) noexcept {
+    if (!(d[0] > 0)) return false;
+    d[0] = 1 / std::sqrt(d[0]);
+    d[1] *= d[0];
+    d[2] *= d[0];
+    const double yy = d[5] - d[1] * d[1];
+    if (!(yy > 0)) return false;
+    d[5] = 1 / std::sqrt(yy);
+    d[6] = (d[6] - d[2] * d[1]) * d[5];
+    const double zz = d[10] - d[2] * d[2] - d[6] * d[6];
+    if (!(zz > 0) || !(zz < HUGE_VAL)) return false;
+    d[10] = 1 / std::sqrt(zz);
+    return true;
 }
 
-void BlockSolver::place_springs(const Network& network, const Neighbors& below) {
-    for (const Spring& s : network.springs) {
-        const auto [first, second] = std::minmax(position_[s.a], position_[s.b]);
-        std::int32_t beside = -1;
-        if (first >= 0) {
-            const auto& neighbors = below[static_cast<std::size_t>(first)];
-            beside = static_cast<std::int32_t>(std::lower_bound(neighbors.begin(), neighbors.end(), second) -
-                                               neighbors.begin());
+/// B D^-T, with D as factorize_diagonal() leaves it.
+ORBWEAVER_INLINE Block divide(const Block& b, const double* d) noexcept {
+    const Lanes x = b.x * broadcast(d[0]);
+    const Lanes y = (b.y - x * broadcast(d[1])) * broadcast(d[5]);
+    return {x, y, (b.z - x * broadcast(d[2]) - y * broadcast(d[6])) * broadcast(d[10])};
+}
+
+/// Row r of a block, each number in all lanes.
+ORBWEAVER_INLINE Block broadcast_row(const double* block, std::size_t r) noexcept {
+    return {broadcast(block[r]), broadcast(block[r + 4]), broadcast(block[r + 8])};
+}
+
+ORBWEAVER_INLINE Lanes combine(const Block& b, const Block& weights) noexcept {
+    return b.x * weights.x + b.y * weights.y + b.z * weights.z;
+}
+
+/// What column k takes from all later ones: block (i, j) loses L_ik L_jk^T. Returns the targets after its own.
+ORBWEAVER_INLINE const std::int32_t* eliminate(const double* column, std::size_t count,
+                                               const std::int32_t* target, double* factor) noexcept {
+    for (std::size_t j = 0; j < count; ++j) {
+        const double* across = column + j * kBlock;
+        const Block x = broadcast_row(across, 0), y = broadcast_row(across, 1), z = broadcast_row(across, 2);
+        for (std::size_t i = j; i < count; ++i) {
+            const Block b = load_block(column + i * kBlock);
+            double* to = factor + static_cast<std::size_t>(*target++) * kBlock;
+            const Block old = load_block(to);
+            store_block(to, {old.x - combine(b, x), old.y - combine(b, y), old.z - combine(b, z)});
         }
-        places_.push_back({first, second, beside});
+    }
+    return target;
+}
+
+ORBWEAVER_INLINE bool factorize_columns(const BlockPattern& pattern, double* factor) noexcept {
+    const std::int32_t* target = pattern.targets().data();
+    for (std::size_t k = 0; k < pattern.columns(); ++k) {
+        double* diagonal = factor + k * kBlock;
+        if (!factorize_diagonal(diagonal)) return false;
+        double* column = factor + pattern.first_block(k) * kBlock;
+        const std::size_t count = pattern.rows(k).size();
+        for (std::size_t i = 0; i < count; ++i)
+            store_block(column + i * kBlock, divide(load_block(column + i * kBlock), diagonal));
+        target = eliminate(column, count, target, factor);
+    }
+    return true;
+}
+
+/// L y = b, in place.
+ORBWEAVER_INLINE void substitute_forward(const BlockPattern& pattern, const double* factor,
+                                         double* right) noexcept {
+    for (std::size_t k = 0; k < pattern.columns(); ++k) {
+        const double* d = factor + k * kBlock;
+        double* y = right + k * kColumn;
+        y[0] *= d[0];
+        y[1] = (y[1] - d[1] * y[0]) * d[5];
+        y[2] = (y[2] - d[2] * y[0] - d[6] * y[1]) * d[10];
+        const double* block = factor + pattern.first_block(k) * kBlock;
+        for (const std::int32_t row : pattern.rows(k)) {
+            double* to = right + static_cast<std::size_t>(row) * kColumn;
+            store(to, load(to) - times(load_block(block), y));
+            block += kBlock;
+        }
     }
 }
 
-void BlockSolver::add_diagonal(std::int32_t particle, const SymmetricBlock& block) noexcept {
-    double* values = factors_->matrix.valuePtr();
-    const std::int32_t* column = &factors_->matrix.outerIndexPtr()[3 * particle];
-    values[column[0]] += block.xx;
-    values[column[0] + 1] += block.xy;
-    values[column[0] + 2] += block.xz;
-    values[column[1]] += block.yy;
-    values[column[1] + 1] += block.yz;
-    values[column[2]] += block.zz;
+/// L^T u = y, in place.
+ORBWEAVER_INLINE void substitute_backward(const BlockPattern& pattern, const double* factor,
+                                          double* right) noexcept {
+    for (std::size_t k = pattern.columns(); k-- > 0;) {
+        Block taken{};
+        const double* block = factor + pattern.first_block(k) * kBlock;
+        for (const std::int32_t row : pattern.rows(k)) {
+            const Lanes u = load(right + static_cast<std::size_t>(row) * kColumn);
+            const Block b = load_block(block);
+            taken = {taken.x + b.x * u, taken.y + b.y * u, taken.z + b.z * u};
+            block += kBlock;
+        }
+        const double* d = factor + k * kBlock;
+        double* y = right + k * kColumn;
+        y[2] = (y[2] - sum(taken.z)) * d[10];
+        y[1] = (y[1] - sum(taken.y) - d[6] * y[2]) * d[5];
+        y[0] = (y[0] - sum(taken.x) - d[1] * y[1] - d[2] * y[2]) * d[0];
+    }
 }
 
-void BlockSolver::add_beside(const Place& place, const SymmetricBlock& block) noexcept {
-    const std::int32_t* column = &factors_->matrix.outerIndexPtr()[3 * place.a];
-    const std::int32_t row = 3 * place.beside;
-    double* x = &factors_->matrix.valuePtr()[column[0] + 3 + row];
-    double* y = &factors_->matrix.valuePtr()[column[1] + 2 + row];
-    double* z = &factors_->matrix.valuePtr()[column[2] + 1 + row];
-    x[0] -= block.xx;
-    x[1] -= block.xy;
-    x[2] -= block.xz;
-    y[0] -= block.xy;
-    y[1] -= block.yy;
-    y[2] -= block.yz;
-    z[0] -= block.xz;
-    z[1] -= block.yz;
-    z[2] -= block.zz;
+}  // namespace
+
+BlockSolver::BlockSolver(const Network& network)
+    : pattern_(network), factor_(pattern_.blocks() * kBlock), right_(pattern_.columns() * kColumn) {}
+
+void BlockSolver::add(std::int32_t block, double sign, const SymmetricBlock& b) noexcept {
+    double* to = factor_.data() + static_cast<std::size_t>(block) * kBlock;
+    const Block old = load_block(to);
+    const Lanes s = broadcast(sign);
+    store_block(to, {old.x + s * Lanes{b.xx, b.xy, b.xz, 0}, old.y + s * Lanes{b.xy, b.yy, b.yz, 0},
+                     old.z + s * Lanes{b.xz, b.yz, b.zz, 0}});
+}
+
+void BlockSolver::assemble(std::span<const double> diagonal, std::span<const SymmetricBlock> blocks) noexcept {
+    std::fill(factor_.begin(), factor_.end(), 0.0);
+    for (std::size_t i = 0; i < diagonal.size(); ++i)
+        if (const std::int32_t column = pattern_.column_of(i); column >= 0)
+            add(column, 1, {diagonal[i], 0, 0, diagonal[i], 0, diagonal[i]});
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        const BlockPattern::Place& place = pattern_.places()[i];
+        if (place.a >= 0) add(place.a, 1, blocks[i]);
+        if (place.b >= 0) add(place.b, 1, blocks[i]);
+        if (place.a >= 0) add(place.beside, -1, blocks[i]);
+    }
 }
 
 bool BlockSolver::factorize(std::span<const double> diagonal, std::span<const SymmetricBlock> blocks) {
-    Matrix& matrix = factors_->matrix;
-    std::fill(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros(), 0.0);
-    for (std::size_t i = 0; i < diagonal.size(); ++i)
-        if (position_[i] >= 0) add_diagonal(position_[i], {diagonal[i], 0, 0, diagonal[i], 0, diagonal[i]});
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-        const Place& place = places_[i];
-        if (place.a >= 0) add_diagonal(place.a, blocks[i]);
-        if (place.b >= 0) add_diagonal(place.b, blocks[i]);
-        if (place.a >= 0) add_beside(place, blocks[i]);
-    }
-    factors_->ldlt.factorize(matrix);
-    return factors_->ldlt.info() == Eigen::Success && (free_ == 0 || factors_->ldlt.vectorD().minCoeff() > 0);
+    assemble(diagonal, blocks);
+    return run_wide([this]() ORBWEAVER_ALWAYS_INLINE { return factorize_columns(pattern_, factor_.data()); });
 }
 
 void BlockSolver::solve(std::span<const Vec3> b, std::span<Vec3> u) {
-    Eigen::VectorXd& right = factors_->right;
+    const auto at = [this](std::int32_t column) { return &right_[static_cast<std::size_t>(column) * kColumn]; };
     for (std::size_t i = 0; i < b.size(); ++i)
-        if (position_[i] >= 0) right.segment<3>(3 * position_[i]) << b[i].x, b[i].y, b[i].z;
-    factors_->solution = factors_->ldlt.solve(right);
+        if (const std::int32_t column = pattern_.column_of(i); column >= 0)
+            store(at(column), Lanes{b[i].x, b[i].y, b[i].z, 0});
+    run_wide([this]() ORBWEAVER_ALWAYS_INLINE {
+        substitute_forward(pattern_, factor_.data(), right_.data());
+        substitute_backward(pattern_, factor_.data(), right_.data());
+    });
     for (std::size_t i = 0; i < u.size(); ++i) {
-        u[i] = {};
-        if (position_[i] < 0) continue;
-        const auto part = factors_->solution.segment<3>(3 * position_[i]);
-        u[i] = {part[0], part[1], part[2]};
+        const std::int32_t column = pattern_.column_of(i);
+        u[i] = column < 0 ? Vec3{} : Vec3{at(column)[0], at(column)[1], at(column)[2]};
     }
 }
 
 std::size_t BlockSolver::memory_bytes() const noexcept {
-    constexpr std::size_t kEntry = sizeof(double) + sizeof(std::int32_t);
-    const auto entries = static_cast<std::size_t>(factors_->matrix.nonZeros() +
-                                                  factors_->ldlt.matrixL().nestedExpression().nonZeros());
-    return entries * kEntry + places_.capacity() * sizeof(Place) + position_.capacity() * sizeof(std::int32_t);
+    return pattern_.memory_bytes() + (factor_.capacity() + right_.capacity()) * sizeof(double);
 }
 
 }  // namespace orbweaver::mass_spring

@@ -25,9 +25,16 @@ void ErrorMeter::add(std::span<const Vec3> whole, std::span<const Vec3> halved) 
     ++samples_;
 }
 
+void ErrorMeter::add_embedded(double error, std::int64_t steps) noexcept {
+    sum_ += error;
+    steps_ += steps;
+}
+
 double ErrorMeter::estimate() const noexcept { return sum_ + last_ * static_cast<double>(frames_since_); }
 
 std::string ErrorMeter::how() const {
+    if (steps_ > 0)
+        return "embedded method: errors of single steps added up, " + std::to_string(steps_) + " steps tried";
     if (samples_ == 0) return "no frame was redone yet";
     return "step doubling: largest change of a position when a frame is redone at half the step, " +
            std::to_string(samples_) + " of " + std::to_string(frames_ + frames_since_) +

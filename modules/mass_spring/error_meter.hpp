@@ -8,8 +8,9 @@
 
 namespace orbweaver::mass_spring {
 
-/// Adds up the position error of a run from frames redone at half the step. Early frames are sampled more
-/// densely (0, 1, 2, 4 ... 64, 128, 192 ...), and a sample stands for the frames since the one before.
+/// Adds up the position error of a run: from the errors that an embedded method gives, or from frames redone at
+/// half the step. Early frames are sampled more densely (0, 1, 2, 4 ... 64, 128, 192 ...), and a sample stands
+/// for the frames since the one before.
 class ErrorMeter {
 public:
     explicit ErrorMeter(int order) noexcept;
@@ -19,6 +20,8 @@ public:
     /// their difference times 2^p/(2^p - 1), p the method's order.
     void add(std::span<const Vec3> whole, std::span<const Vec3> halved) noexcept;
     void count_frame() noexcept { ++frames_since_; }
+    /// Of the steps of a frame, m, by an embedded method; instead of add() and count_frame().
+    void add_embedded(double error, std::int64_t steps) noexcept;
 
     double estimate() const noexcept;  ///< m
     std::string how() const;
@@ -30,6 +33,7 @@ private:
     std::uint64_t samples_ = 0;
     std::uint64_t frames_ = 0;
     std::uint64_t frames_since_ = 0;  ///< the last sample, it included
+    std::int64_t steps_ = 0;          ///< that an embedded method judged
 };
 
 }  // namespace orbweaver::mass_spring

@@ -15,7 +15,7 @@ public:
     /// `network` must outlive it.
     explicit ImplicitTangent(const Network& network);
 
-    bool prepare(std::span<const double> x, double drag, double c, double k);
+    bool prepare(std::span<const double> x, double drag, double c, double k, bool clamped);
     void solve(std::span<const double> r, std::span<double> u);
     std::size_t memory_bytes() const noexcept;
 

@@ -11,6 +11,14 @@
 
 namespace orbweaver::mass_spring {
 
+/// What steps of the method's own choice came to.
+struct ControlledRun {
+    bool finished = false;
+    std::int64_t steps = 0;  ///< tried
+    double next = 0;         ///< s, the step to go on with
+    double error = 0;        ///< m, of the steps taken, added up
+};
+
 /// Runs a method over a spring system whose state is kept as a vector per particle.
 class Integrator {
 public:
@@ -18,12 +26,22 @@ public:
 
     /// `count` steps of `h` seconds from x (m), v (m/s), in place.
     void advance(std::span<Vec3> x, std::span<Vec3> v, double h, std::int64_t count);
+    /// Over `span` seconds in steps of the method's own choice, the first of at most `first` seconds, each with
+    /// an error of at most `tolerance` m. Not finished when that takes more than `most_steps`, or steps that
+    /// time no longer tells from none; then x and v are where it got to. Of methods with an embedded order.
+    ControlledRun advance_within(std::span<Vec3> x, std::span<Vec3> v, double span, double tolerance,
+                                 double first, std::int64_t most_steps);
     std::size_t memory_bytes() const noexcept;
 
 private:
+    void pack(std::span<const Vec3> x, std::span<const Vec3> v);
+    void unpack(std::span<Vec3> x, std::span<Vec3> v) const;
+
     SpringSystem* system_;
+    const MethodInfo* info_;
     std::unique_ptr<Method> method_;
-    std::vector<double> x_, v_;  ///< packed
+    std::vector<double> x_, v_;              ///< packed
+    std::vector<double> start_x_, start_v_;  ///< of a step that may be refused; empty until one is
 };
 
 }  // namespace orbweaver::mass_spring

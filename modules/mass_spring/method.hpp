@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -14,6 +15,10 @@ public:
     virtual ~Method() = default;
     /// Advances x and v, of system.length() numbers each, in place by h seconds.
     virtual void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) = 0;
+    /// How far the last step may be off, m: what it differs by from the embedded method's, in a position or, as
+    /// the way of one step, in a velocity; not finite where that means nothing. Only of methods with an
+    /// embedded order.
+    virtual double error(DynamicSystem&) { return std::numeric_limits<double>::infinity(); }
     /// Steps go on from a state that may not be where the last one ended: nothing kept may matter any more.
     virtual void begin() noexcept {}
     virtual std::size_t memory_bytes() const noexcept = 0;  ///< of the scratch
@@ -21,9 +26,10 @@ public:
 
 /// A row of the table of methods: all that the rest of the house knows of one.
 struct MethodInfo {
-    std::string_view name;  ///< as scenes write it
-    int order = 0;          ///< of global convergence
-    int evaluations = 0;    ///< of the forces, per step; 0: as many as it takes
+    std::string_view name;   ///< as scenes write it
+    int order = 0;           ///< of global convergence
+    int embedded_order = 0;  ///< the error of a step shrinks with h to this + 1; 0: it gives none
+    int evaluations = 0;     ///< of the forces, per step that follows another; 0: as many as it takes
     std::unique_ptr<Method> (*make)(std::size_t length);
 };
 

@@ -6,14 +6,16 @@
 namespace orbweaver::mass_spring {
 
 std::span<const MethodInfo> methods() noexcept {
-    static constexpr std::array<MethodInfo, 6> table{{
-        // name, order, evaluations, make
-        {"explicit_euler", 1, 1, make_explicit_euler},
-        {"symplectic_euler", 1, 1, make_symplectic_euler},
-        {"verlet", 2, 2, make_verlet},
-        {"rk4", 4, 4, make_rk4},
-        {"implicit_euler", 1, 1, make_implicit_euler},
-        {"sdirk2", 2, 0, make_sdirk2},
+    static constexpr std::array<MethodInfo, 8> table{{
+        // name, order, embedded order, evaluations, make
+        {"explicit_euler", 1, 0, 1, make_explicit_euler},
+        {"symplectic_euler", 1, 0, 1, make_symplectic_euler},
+        {"verlet", 2, 0, 2, make_verlet},
+        {"rk4", 4, 0, 4, make_rk4},
+        {"tsit5", 5, 4, 6, make_tsit5},
+        {"rkc2", 2, 2, 0, make_rkc2},
+        {"implicit_euler", 1, 0, 1, make_implicit_euler},
+        {"tr_bdf2", 2, 2, 0, make_tr_bdf2},
     }};
     return table;
 }

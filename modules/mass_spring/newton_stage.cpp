@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "larger.hpp"
 #include "wide_loop.hpp"
 
 namespace orbweaver::mass_spring {
@@ -10,62 +11,79 @@ namespace {
 
 double largest(std::span<const double> values) noexcept {
     double most = 0;
-    for (const double value : values) most = std::max(most, std::abs(value));
+    for (const double value : values) most = larger(most, value);
     return most;
-}
-
-/// x = x_base + g v
-void follow(std::span<const double> x_base, std::span<const double> v, double g, std::span<double> x) noexcept {
-    wide_loop(x.size(), [g, base = x_base.data(), v = v.data(), x = x.data()](std::size_t i)
-                            ORBWEAVER_ALWAYS_INLINE { x[i] = base[i] + g * v[i]; });
 }
 
 }  // namespace
 
-double NewtonStage::improve(DynamicSystem& system, std::span<const double> x_base,
-                            std::span<const double> v_base, double g, std::span<double> x,
-                            std::span<double> v) {
-    system.accelerations(x, v, a_);
-    wide_loop(v.size(), [g, r = residual_.data(), base = v_base.data(), a = a_.data(), v = v.data()](
-                            std::size_t i) ORBWEAVER_ALWAYS_INLINE { r[i] = base[i] + g * a[i] - v[i]; });
-    system.solve(residual_, change_);
-    wide_loop(v.size(), [v = v.data(), change = change_.data()](std::size_t i)
-                            ORBWEAVER_ALWAYS_INLINE { v[i] += change[i]; });
-    follow(x_base, v, g, x);
-    return largest(change_);
+void NewtonStage::look(const Stage& stage, std::span<const double> v) {
+    wide_loop(v.size(), [g = stage.g, base = stage.x_base.data(), v = v.data(), x = stage.x.data()](
+                            std::size_t i) ORBWEAVER_ALWAYS_INLINE { x[i] = base[i] + g * v[i]; });
+    stage.system.accelerations(stage.x, v, residual_);
+    wide_loop(v.size(), [g = stage.g, r = residual_.data(), base = stage.v_base.data(), v = v.data()](
+                            std::size_t i) ORBWEAVER_ALWAYS_INLINE { r[i] = base[i] + g * r[i] - v[i]; });
 }
 
-bool NewtonStage::iterate(DynamicSystem& system, std::span<const double> x_base, std::span<const double> v_base,
-                          double g, std::span<double> x, std::span<double> v) {
-    constexpr int kMost = 12;
-    constexpr double kTolerance = 1e-10;  // of the largest velocity
-    constexpr double kRounding = 1e-13;   // of the largest coordinate, as a way
-    constexpr double kSlow = 0.5;         // of the change before: a matrix that serves no longer
-    double before = 0;
-    for (int i = 0; i < kMost; ++i) {
-        const double change = improve(system, x_base, v_base, g, x, v);
-        if (change <= kTolerance * largest(v) || g * change <= kRounding * largest(x)) return true;
-        if (!std::isfinite(change) || (i > 1 && change > kSlow * before)) return false;
-        before = change;
+bool NewtonStage::make_matrix(const Stage& stage) {
+    const double g = stage.g;
+    // The exact tangent converges faster where it serves; compressed springs can make it indefinite.
+    const bool made = stage.system.prepare(stage.x, g, g * g, Tangent::exact) ||
+                      stage.system.prepare(stage.x, g, g * g, Tangent::clamped);
+    made_for_ = made ? g : 0;
+    return made;
+}
+
+double NewtonStage::search_line(const Stage& stage) {
+    constexpr int kMostTrials = 10;
+    constexpr double kOvershoot = 0.9;
+    const double slope = stage.system.inner_product(residual_, change_);
+    double length = 1;
+    for (int i = 0; i < kMostTrials; ++i) {
+        wide_loop(trial_.size(),
+                  [length, trial = trial_.data(), v = stage.v.data(), change = change_.data()](std::size_t i)
+                      ORBWEAVER_ALWAYS_INLINE { trial[i] = v[i] + length * change[i]; });
+        look(stage, trial_);
+        const double slope_there = stage.system.inner_product(residual_, change_);
+        if (std::abs(slope_there) <= kOvershoot * slope || slope_there == slope) {
+            std::copy(trial_.begin(), trial_.end(), stage.v.begin());
+            return length;
+        }
+        const double zero = slope / (slope - slope_there);  // of the slope, were it straight
+        length *= zero > 0 && zero < 1 ? std::clamp(zero, 0.1, 0.5) : 0.5;
     }
-    return false;
+    return 0;
 }
 
 bool NewtonStage::solve(DynamicSystem& system, std::span<const double> x_base, std::span<const double> v_base,
                         double g, std::span<double> x, std::span<double> v) {
-    const auto guess = [&](double share) {
-        for (std::size_t i = 0; i < v.size(); ++i) v[i] = share * v_base[i];
-        follow(x_base, v, g, x);
-    };
-    if (made_for_ == g) {
-        guess(1);
-        if (iterate(system, x_base, v_base, g, x, v)) return true;
-    }
-    // At rest the springs are as they were; where they would be without forces they may be stretched past use.
-    for (const double share : {1.0, 0.0}) {
-        guess(share);
-        made_for_ = system.prepare(x, g, g * g) ? g : 0;
-        if (made_for_ == g && iterate(system, x_base, v_base, g, x, v)) return true;
+    constexpr int kMost = 40;
+    constexpr double kTolerance = 1e-8;  // of the largest velocity
+    constexpr double kRounding = 1e-13;  // of the largest coordinate, as a way
+    constexpr double kServes = 0.4;      // of the change before: a matrix that is kept
+    const Stage stage{system, x_base, v_base, g, x, v};
+    look(stage, v);
+    double before = 0;
+    for (int i = 0; i < kMost; ++i) {
+        const bool fresh = made_for_ != g;
+        if (fresh && !make_matrix(stage)) return false;
+        system.solve(residual_, change_);
+        const double length = search_line(stage);
+        if (length == 0) {
+            made_for_ = 0;
+            if (fresh) return false;
+            look(stage, v);
+            before = 0;
+            continue;
+        }
+        const double change = length * largest(change_);
+        if (!std::isfinite(change)) return false;
+        // What is left, if the changes go on to shrink as they do.
+        const double rate = before > 0 ? change / before : 1;
+        const double left = rate < 0.5 ? change * rate / (1 - rate) : change;
+        if (length == 1 && (left <= kTolerance * largest(v) || g * left <= kRounding * largest(x))) return true;
+        if (length < 1 || (before > 0 && rate > kServes)) made_for_ = 0;
+        before = change;
     }
     return false;
 }
@@ -73,10 +91,14 @@ bool NewtonStage::solve(DynamicSystem& system, std::span<const double> x_base, s
 void NewtonStage::solve_linearly(DynamicSystem& system, std::span<const double> x_base,
                                  std::span<const double> v_base, double g, std::span<double> x,
                                  std::span<double> v) {
+    const Stage stage{system, x_base, v_base, g, x, v};
     std::fill(v.begin(), v.end(), 0.0);
-    follow(x_base, v, g, x);
-    made_for_ = system.prepare(x, g, g * g) ? g : 0;
-    improve(system, x_base, v_base, g, x, v);
+    look(stage, v);
+    system.prepare(x, g, g * g, Tangent::clamped);
+    made_for_ = 0;
+    system.solve(residual_, v);
+    wide_loop(v.size(), [g, base = x_base.data(), v = v.data(), x = x.data()](std::size_t i)
+                            ORBWEAVER_ALWAYS_INLINE { x[i] = base[i] + g * v[i]; });
 }
 
 }  // namespace orbweaver::mass_spring

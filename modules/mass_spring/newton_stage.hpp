@@ -9,32 +9,42 @@ namespace orbweaver::mass_spring {
 
 /// The equation that every stage of a diagonally implicit method solves,
 ///     v = v_base + g a(x, v),    x = x_base + g v,
-/// by Newton's method: (M + g C + g^2 K) dv = M [v_base + g a(x, v) - v].
+/// by Newton's method: (M + g C + g^2 K) dv = M r with the residual r = v_base + g a(x, v) - v.
+///
+/// -M r is the gradient of the incremental potential, kinetic energy of v - v_base plus the springs' energy at
+/// x plus what is dissipated on the way, so a step is shortened until it does not climb on the other side of
+/// the valley (|dv M r| falls): what bends far within a step is found all the same.
 class NewtonStage {
 public:
-    explicit NewtonStage(std::size_t length) : a_(length), residual_(length), change_(length) {}
+    explicit NewtonStage(std::size_t length) : residual_(length), change_(length), trial_(length) {}
 
-    /// To 1e-10 of the largest velocity, or to rounding. The matrix is made where the stage would end without
-    /// forces, unless one for the same g is there from before, and made anew where that does not serve. False
-    /// where Newton's method does not converge.
+    /// From the guess in v, to 1e-8 of the largest velocity, or to rounding. A matrix for the same g is kept
+    /// while it serves. False where Newton's method does not converge.
     bool solve(DynamicSystem& system, std::span<const double> x_base, std::span<const double> v_base, double g,
                std::span<double> x, std::span<double> v);
-    /// One iteration from v = 0, with the matrix made there.
+    /// One iteration from v = 0, with the clamped matrix made there.
     void solve_linearly(DynamicSystem& system, std::span<const double> x_base, std::span<const double> v_base,
                         double g, std::span<double> x, std::span<double> v);
     /// The next stage makes its own matrix.
     void forget() noexcept { made_for_ = 0; }
 
-    std::size_t memory_bytes() const noexcept { return 3 * a_.capacity() * sizeof(double); }
+    std::size_t memory_bytes() const noexcept { return 3 * trial_.capacity() * sizeof(double); }
 
 private:
-    bool iterate(DynamicSystem& system, std::span<const double> x_base, std::span<const double> v_base,
-                 double g, std::span<double> x, std::span<double> v);
-    /// The largest change that a Newton step made to v.
-    double improve(DynamicSystem& system, std::span<const double> x_base, std::span<const double> v_base,
-                   double g, std::span<double> x, std::span<double> v);
+    struct Stage {
+        DynamicSystem& system;
+        std::span<const double> x_base, v_base;
+        double g;
+        std::span<double> x, v;
+    };
 
-    std::vector<double> a_, residual_, change_;
+    /// x and residual_ of v.
+    void look(const Stage& stage, std::span<const double> v);
+    bool make_matrix(const Stage& stage);
+    /// v moves along change_, as far as is of use; how far, 1 for all the way, 0 for nowhere.
+    double search_line(const Stage& stage);
+
+    std::vector<double> residual_, change_, trial_;
     double made_for_ = 0;  ///< g of the matrix there is; 0: none
 };
 

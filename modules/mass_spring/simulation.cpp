@@ -28,8 +28,18 @@ Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double
     for (std::size_t i = 0; i < v_.size(); ++i) {
         if (system.network().fixed[i] != 0) v_[i] = {};
     }
-    bound_step_ = kSafety * bound_step(system, *settings_.method);
-    choose_substep();
+    if (settings_.tolerance > 0) {
+        choose_first_step();
+    } else {
+        bound_step_ = kSafety * bound_step(system, *settings_.method);
+        choose_substep();
+    }
+}
+
+void Simulation::choose_first_step() {
+    advice_ = advise(*system_, x_, *settings_.method);
+    const double stable = advice_.stable_step > 0 ? advice_.stable_step : frame_step_;
+    set_substep(std::min(frame_step_, settings_.step > 0 ? settings_.step : kSafety * stable));
 }
 
 void Simulation::choose_substep() {
@@ -76,6 +86,29 @@ void Simulation::advance(std::uint64_t frame, double time) {
                         " is not at a finite place with a finite velocity at t = " + seconds_text(time) +
                         ", where frame " + std::to_string(frame) + " starts");
     }
+    settings_.tolerance > 0 ? advance_within_tolerance(frame, time) : advance_in_equal_steps(frame, time);
+}
+
+void Simulation::advance_within_tolerance(std::uint64_t frame, double time) {
+    const ControlledRun run =
+        integrator_.advance_within(x_, v_, frame_step_, settings_.tolerance, substep(), settings_.max_substeps);
+    steps_ += static_cast<std::uint64_t>(run.steps);
+    if (!run.finished || watch_.first_bad(x_, v_) < x_.size()) {
+        restore_start();
+        throw Fault(FaultKind::diverged,
+                    "frame " + std::to_string(frame) + " at t = " + seconds_text(time) +
+                        " could not be finished with errors of at most " + number_text(settings_.tolerance) +
+                        " m a step: after " + std::to_string(run.steps) + " steps " +
+                        std::string(settings_.method->name) + " was down to steps of " +
+                        seconds_text(run.next) + "; the state at t = " + seconds_text(time) +
+                        " is kept; ask for a larger tolerance, or an implicit method");
+    }
+    set_substep(run.next);
+    energy_gain_ += std::max(0.0, balance_energy(*system_, start_x_, start_v_, x_, v_).gain);
+    error_.add_embedded(run.error, run.steps);
+}
+
+void Simulation::advance_in_equal_steps(std::uint64_t frame, double time) {
     if (frame % kFramesPerAdvice == 0) choose_substep();
     EnergyBalance balance;
     bool finished = run_frame(balance);

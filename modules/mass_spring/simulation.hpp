@@ -44,6 +44,9 @@ public:
     /// (see bound_step()) and keeps that until the next advice, `stop` throws, `as_asked` warns. Throws like
     /// the constructor, with x and v untouched, when the configuration has come to need shorter steps than the
     /// settings allow.
+    ///
+    /// Within a tolerance, the method chooses its steps and refuses those that err; none is advised. Throws
+    /// Fault(diverged) where no step errs little enough, or a frame would take more than max_substeps.
     void advance(std::uint64_t frame, double time);
 
     const Advice& advice() const noexcept;
@@ -58,7 +61,10 @@ public:
     std::size_t memory_bytes() const noexcept;
 
 private:
+    void choose_first_step();
     void choose_substep();
+    void advance_within_tolerance(std::uint64_t frame, double time);
+    void advance_in_equal_steps(std::uint64_t frame, double time);
     void set_substep(double seconds) noexcept;
     std::int64_t substeps_per_frame() const noexcept;
     /// `count` steps over one frame from x_, v_; false as soon as a value is found to mean nothing.

@@ -15,6 +15,8 @@ enum class OnUnstable : std::uint8_t { substep, stop, as_asked };
 struct SimulationSettings {
     const MethodInfo* method = nullptr;
     double step = 0;  ///< s, asked substep; 0: the adviser's
+    double tolerance =
+        0;  ///< m, of one step of a method with an embedded order, which then chooses steps; 0: fixed
     OnUnstable on_unstable = OnUnstable::substep;
     std::int64_t max_substeps = 100000;                       ///< of one frame; more is refused in words
     std::function<std::string(std::size_t)> describe_spring;  ///< "spring 12 (radius, 3 to 7)"

@@ -1,5 +1,8 @@
 #include "spring_system.hpp"
 
+#include <algorithm>
+
+#include "spectral_bound.hpp"
 #include "spring_force.hpp"
 
 namespace orbweaver::mass_spring {
@@ -20,6 +23,7 @@ SpringSystem::SpringSystem(const Network& network, Workers* workers)
 
 void SpringSystem::set_surroundings(const Surroundings& surroundings) {
     gravity_ = surroundings.gravity;
+    if (drag_ != surroundings.drag) spectral_radius_ = -1;
     drag_ = surroundings.drag;
     external_.resize(surroundings.external.empty() ? 0 : length());
     if (!external_.empty()) packing().pack(surroundings.external, external_);
@@ -54,12 +58,29 @@ void SpringSystem::accelerations(std::span<const double> x, std::span<const doub
     workers_->for_each_range(table_.blocks.size(), kGrain, accelerate);
 }
 
-bool SpringSystem::prepare(std::span<const double> x, double c, double k) {
+double SpringSystem::spectral_radius() {
+    if (spectral_radius_ < 0) {
+        const SpectralBound bound = bound_spectrum(*network_, drag_);
+        spectral_radius_ = std::max(bound.angular_frequency, bound.damping_rate);
+    }
+    return spectral_radius_;
+}
+
+bool SpringSystem::prepare(std::span<const double> x, double c, double k, Tangent tangent) {
     if (implicit_ == nullptr) implicit_ = std::make_unique<ImplicitTangent>(*network_);
-    return implicit_->prepare(x, drag_, c, k);
+    return implicit_->prepare(x, drag_, c, k, tangent == Tangent::clamped);
 }
 
 void SpringSystem::solve(std::span<const double> r, std::span<double> u) { implicit_->solve(r, u); }
+
+double SpringSystem::inner_product(std::span<const double> r, std::span<const double> u) const noexcept {
+    const std::size_t plane = packing().plane();
+    double sum = 0;
+    for (std::size_t i = 0; i < size(); ++i)
+        sum += network_->mass[i] *
+               (r[i] * u[i] + r[plane + i] * u[plane + i] + r[2 * plane + i] * u[2 * plane + i]);
+    return sum;
+}
 
 void SpringSystem::forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> f) const noexcept {
     for (std::size_t i = 0; i < size(); ++i) {

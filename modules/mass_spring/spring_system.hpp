@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -14,6 +15,9 @@
 
 namespace orbweaver::mass_spring {
 
+/// Of stiffness: as it is, or with springs in compression clamped so that it is semi-definite.
+enum class Tangent : std::uint8_t { exact, clamped };
+
 /// All that a method of integration knows of what it integrates: x'' = a(x, v), in flat vectors whose
 /// layout is the system's own business.
 class DynamicSystem {
@@ -22,12 +26,17 @@ public:
     virtual void accelerations(std::span<const double> x, std::span<const double> v,
                                std::span<double> a) noexcept = 0;
 
+    /// For stabilised methods: no eigenvalue of the Jacobian is larger, 1/s, however the system may stand.
+    virtual double spectral_radius() = 0;
+
     /// For implicit methods: makes W = M + c C + k K ready to be solved, with mass matrix M and the tangents of
-    /// damping C = -df/dv and stiffness K = -df/dx at x, the latter's springs clamped in compression, so that W
-    /// is positive definite. False where x is so far off that it is not.
-    virtual bool prepare(std::span<const double> x, double c, double k) = 0;
+    /// damping C = -df/dv and stiffness K = -df/dx at x. False where W is not positive definite, which a
+    /// clamped K sees to unless x is far off.
+    virtual bool prepare(std::span<const double> x, double c, double k, Tangent tangent) = 0;
     /// u = W^-1 M r.
     virtual void solve(std::span<const double> r, std::span<double> u) = 0;
+    /// r M u.
+    virtual double inner_product(std::span<const double> r, std::span<const double> u) const noexcept = 0;
 
 protected:
     ~DynamicSystem() = default;
@@ -69,8 +78,10 @@ public:
     /// m/s^2; zero for fixed particles.
     void accelerations(std::span<const double> x, std::span<const double> v,
                        std::span<double> a) noexcept override;
-    bool prepare(std::span<const double> x, double c, double k) override;
+    double spectral_radius() override;
+    bool prepare(std::span<const double> x, double c, double k, Tangent tangent) override;
     void solve(std::span<const double> r, std::span<double> u) override;
+    double inner_product(std::span<const double> r, std::span<const double> u) const noexcept override;
 
     Vec3 external_force(std::size_t particle) const noexcept;  ///< N
     double drag() const noexcept { return drag_; }             ///< N s/m
@@ -97,6 +108,7 @@ private:
     std::vector<double> external_;               ///< packed; empty: none
     std::vector<double> pull_;                   ///< N, three planes of a slot per spring, scratch
     std::unique_ptr<ImplicitTangent> implicit_;  ///< null until an implicit method asks
+    double spectral_radius_ = -1;                ///< 1/s; negative until a method asks
 };
 
 /// Tension (N, negative in compression) of one spring, its elastic part.

@@ -23,4 +23,16 @@ inline bool has_avx2() noexcept {
 #endif
 }
 
+template <class Body>
+ORBWEAVER_AVX2 auto run_avx2(const Body& body) {
+    return body();
+}
+
+/// body(), in registers as wide as the processor has; it is marked ORBWEAVER_ALWAYS_INLINE, and so is what it
+/// calls.
+template <class Body>
+auto run_wide(const Body& body) {
+    return has_avx2() ? run_avx2(body) : body();
+}
+
 }  // namespace orbweaver::mass_spring

@@ -6,6 +6,7 @@
 #include "mass_spring/settle.hpp"
 #include "mass_spring/simulation.hpp"
 #include "measures.hpp"
+#include "motion_options.hpp"
 #include "orbweaver/contracts/threads.hpp"
 #include "orbweaver/contracts/wind_field.hpp"
 #include "orbweaver/contracts/workers.hpp"
@@ -14,25 +15,16 @@
 
 namespace orbweaver::web {
 
-namespace {
-
-using mass_spring::OnUnstable;
-
-OnUnstable read_on_unstable(const std::string& name) {
-    if (name == "stop") return OnUnstable::stop;
-    return name == "as_asked" ? OnUnstable::as_asked : OnUnstable::substep;
-}
-
-}  // namespace
-
 /// One [web] table: builds the web, moves it frame by frame, and shows its threads.
 class WebModule final : public Module, public Threads {
 public:
     void attach(Host& host) override {
         Diagnostics faults;
         auto web = build_web(host.options(), host.scene().gravity, host.random("irregularity"), faults);
+        const auto motion = read_motion(host.options(), faults);
+        const bool sound = faults.empty();
         for (Diagnostic& fault : faults) host.report_fault(std::move(fault));
-        if (!web) return;
+        if (!sound || !web) return;
         web_ = std::move(*web);
         for (const Piece& piece : web_.layout.pieces)
             segments_.push_back({piece.a, piece.b, static_cast<std::uint32_t>(piece.kind)});
@@ -40,7 +32,7 @@ public:
         make_system(host);
         if (host.options().flag("settle")) settle(host);
         start_residual_ = residual();
-        make_simulation(host);
+        make_simulation(host, motion);
         host.provide<Threads>(*this);
     }
 
@@ -93,14 +85,8 @@ private:
         system_->set_surroundings(surroundings_);
     }
 
-    void make_simulation(Host& host) {
-        const Options& options = host.options();
-        method_ = options.text("method");
-        mass_spring::SimulationSettings settings;
-        settings.method = mass_spring::find_method(method_);
-        settings.step = options.has("step") ? options.number("step") : 0;
-        settings.on_unstable = read_on_unstable(options.text("on_unstable"));
-        settings.max_substeps = options.integer("max_substeps");
+    void make_simulation(Host& host, mass_spring::SimulationSettings settings) {
+        method_ = settings.method->name;
         settings.describe_spring = [this](std::size_t i) { return describe_spring(i); };
         settings.warn = [&host](const std::string& sentence) { host.log(LogLevel::warning, sentence); };
         simulation_ = std::make_unique<mass_spring::Simulation>(*system_, settings, host.scene().step,

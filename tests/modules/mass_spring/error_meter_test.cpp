@@ -27,3 +27,11 @@ TEST_CASE("frames are sampled at powers of two, then every 64", "[unit]") {
     }
     CHECK(sampled == std::vector<std::uint64_t>{0, 1, 2, 4, 8, 16, 32, 64, 128, 192});
 }
+
+TEST_CASE("an embedded method's errors are added up", "[unit]") {
+    ErrorMeter meter(5);
+    meter.add_embedded(1e-6, 3);
+    meter.add_embedded(2e-6, 4);
+    CHECK(meter.estimate() == Approx(3e-6).epsilon(1e-12));
+    CHECK(meter.how() == "embedded method: errors of single steps added up, 7 steps tried");
+}

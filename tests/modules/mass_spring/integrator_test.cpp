@@ -1,6 +1,7 @@
 #include "integrator.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "bodies.hpp"
 
@@ -40,4 +41,63 @@ TEST_CASE("external forces hold until others are set", "[unit]") {
     system.set_surroundings({});
     integrator.advance(body.x, body.v, 0.5, 2);
     CHECK(body.v[0].x == Approx(3).epsilon(1e-14));
+}
+
+TEST_CASE("a step's error is what its method's order says, and of the size of what is wrong", "[unit]") {
+    for (const MethodInfo& info : methods()) {
+        if (info.embedded_order == 0) continue;
+        INFO(info.name);
+        std::vector<double> errors;
+        for (const double h : {0.02, 0.01}) {
+            bodies::Body body = bodies::oscillator(1, 9, 0.1);
+            body.x[1].x = 1.5;
+            body.v[1].x = 2;
+            SpringSystem system(body.network, nullptr);
+            std::vector<double> x(system.length()), v(system.length());
+            system.packing().pack(body.x, x);
+            system.packing().pack(body.v, v);
+            const auto method = info.make(system.length());
+            method->step(system, x, v, h);
+            errors.push_back(method->error(system));
+        }
+        CHECK(std::log2(errors[0] / errors[1]) == Approx(info.embedded_order + 1).margin(0.15));
+    }
+}
+
+TEST_CASE("a tighter tolerance is paid in steps and repaid in accuracy", "[unit]") {
+    // q'' = -9 q from 0.5: q = 0.5 cos(3 t).
+    for (const MethodInfo& info : methods()) {
+        if (info.embedded_order == 0) continue;
+        INFO(info.name);
+        double before = 1;
+        std::int64_t steps = 0;
+        for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+            bodies::Body body = bodies::oscillator(1, 9);
+            body.x[1].x = 1.5;
+            SpringSystem system(body.network, nullptr);
+            const ControlledRun run =
+                Integrator(system, info).advance_within(body.x, body.v, 2, tolerance, 2, 1000000);
+            REQUIRE(run.finished);
+            const double wrong = std::abs(body.x[1].x - 1 - 0.5 * std::cos(6));
+            CHECK(wrong < before / 5);
+            CHECK(wrong < 10 * run.error);
+            CHECK(run.steps > steps);
+            before = wrong;
+            steps = run.steps;
+        }
+    }
+}
+
+TEST_CASE("steps that are too many end the run, not the program", "[extreme]") {
+    bodies::Body body = bodies::oscillator(1e-6, 1e6);
+    body.x[1].x = 1.5;
+    SpringSystem system(body.network, nullptr);
+    Integrator integrator(system, *find_method("tsit5"));
+    const ControlledRun few = integrator.advance_within(body.x, body.v, 1, 1e-9, 1, 100);
+    CHECK_FALSE(few.finished);
+    CHECK(few.steps == 100);
+    body.v[1].x = std::nan("");
+    const ControlledRun none = integrator.advance_within(body.x, body.v, 1, 1e-9, 1, 1000000);
+    CHECK_FALSE(none.finished);
+    CHECK(none.next <= 1e-12);
 }

@@ -264,3 +264,46 @@ TEST_CASE("fixed particles stay where they are whatever velocity they came with"
     run.advance(0, 0);
     CHECK(body.x[0] == Vec3{});
 }
+
+TEST_CASE("within a tolerance the method chooses its steps, and goes on with them", "[unit]") {
+    Body body = bodies::oscillator(0.01, 25);
+    body.x[1].x = 1.1;
+    SpringSystem system(body.network, nullptr);
+    SimulationSettings settings = settings_for("tsit5", 0, OnUnstable::stop);
+    settings.tolerance = 1e-8;
+    std::vector<double> memory(kSimulationMemory);
+    Simulation run(system, settings, 0.1, body.x, body.v, memory);
+    for (std::uint64_t frame = 0; frame < 10; ++frame) run.advance(frame, 0.1 * static_cast<double>(frame));
+    CHECK(body.x[1].x == Approx(1 + 0.1 * std::cos(50.0)).margin(1e-5));
+    CHECK(run.error_estimate() < 1e-5);
+    CHECK(run.error_estimate() > std::abs(body.x[1].x - 1 - 0.1 * std::cos(50.0)) / 10);
+    CHECK(run.steps() > 100);
+    CHECK(memory[0] == run.substep());
+
+    // From what is saved, the same bits.
+    Body other = body;
+    std::vector<double> copied = memory;
+    Simulation again(system, settings, 0.1, other.x, other.v, copied);
+    copied = memory;  // the new one began with a step of its own
+    run.advance(10, 1);
+    again.advance(10, 1);
+    CHECK(bodies::same_bits(body.x, other.x));
+    CHECK(bodies::same_bits(body.v, other.v));
+}
+
+TEST_CASE("a tolerance that no step keeps ends the run with the state it had", "[extreme]") {
+    Body body = bodies::oscillator(0.01, 25);
+    body.x[1].x = 1.1;
+    const Body before = body;
+    SpringSystem system(body.network, nullptr);
+    SimulationSettings settings = settings_for("tsit5", 0, OnUnstable::substep);
+    settings.tolerance = 1e-16;
+    settings.max_substeps = 1000;
+    Simulation run(system, settings, 10, body.x, body.v);
+    const std::string sentence = sentence_of([&] { run.advance(0, 0); });
+    CHECK_THAT(sentence, Catch::Contains("frame 0 at t = 0") && Catch::Contains("errors of at most 1e-16 m") &&
+                             Catch::Contains("after 1000 steps") &&
+                             Catch::Contains("ask for a larger tolerance"));
+    CHECK(bodies::same_bits(body.x, before.x));
+    CHECK(bodies::same_bits(body.v, before.v));
+}

@@ -2,29 +2,14 @@
 
 #include <catch2/catch.hpp>
 
-#include "plan/manifest.hpp"
-#include "plan/option_check.hpp"
 #include "sample_webs.hpp"
-#include "scene/toml_reader.hpp"
+#include "web_table.hpp"
 
 using namespace orbweaver;
 using namespace orbweaver::web;
+using orbweaver::web::test::options_of;
 
 namespace {
-
-const std::string kSource = ORBWEAVER_SOURCE_DIR;
-
-/// What the host hands to the module for this table.
-Options options_of(const std::string& table) {
-    Diagnostics faults;
-    const auto manifest = read_manifest(kSource + "/modules/web/manifest.toml", faults);
-    REQUIRE(manifest);
-    const AssetPaths paths{kSource + "/assets/scenes", {kSource + "/assets"}};
-    Options options = check_options(read_toml_text(table, "scene.toml"), manifest->options, paths, faults);
-    INFO((faults.empty() ? std::string() : to_string(faults.front())));
-    REQUIRE(faults.empty());
-    return options;
-}
 
 std::optional<Web> build(const std::string& table, Diagnostics& faults) {
     return build_web(options_of(table), web::test::kGravity, RandomStream(1, "web"), faults);

@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <limits>
+
+#include "builtin_methods.hpp"
+#include "larger.hpp"
+#include "newton_stage.hpp"
+#include "wide_loop.hpp"
+
+namespace orbweaver::mass_spring {
+namespace {
+
+constexpr double kRootHalf = 0.70710678118654752440;
+constexpr double kD = 1 - kRootHalf;
+constexpr double kW = kRootHalf / 2;
+// Weights of order two less those of order three, of the three stages.
+constexpr double kE1 = (4 * kW - 1) / 3;
+constexpr double kE2 = -1.0 / 3;
+constexpr double kE3 = 2 * kD / 3;
+
+/// TR-BDF2 (Bank and others 1985) as the diagonally implicit Runge-Kutta method that Hosea and Shampine
+/// (Analysis and implementation of TR-BDF2, 1996) wrote it as. For y' = f(y), with d = 1 - 1/sqrt(2) and
+/// w = sqrt(2)/4,
+///     y2 = y + d h [f(y) + f(y2)],    y3 = y + w h [f(y) + f(y2)] + d h f(y3),
+/// of which y3 ends the step, and begins the next. Order two, L-stable; a method of order three on the same
+/// stages gives the error. Where Newton's method finds no stage, two steps of half the length are taken.
+class TrBdf2 final : public Method {
+public:
+    explicit TrBdf2(std::size_t length)
+        : a_(length),
+          x_(length),
+          v_(length),
+          v2_(length),
+          x_base_(length),
+          v_base_(length),
+          error_x_(length),
+          error_v_(length),
+          stage_(length) {}
+
+    void begin() noexcept override {
+        stage_.forget();
+        has_slope_ = false;
+    }
+
+    void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) override {
+        halve_until_found(system, x, v, h, 0);
+    }
+
+    /// Stiff parts are taken out of the error by the last stage's matrix, as the method takes them out of the
+    /// motion.
+    double error(DynamicSystem& system) override {
+        system.solve(error_v_, v_base_);
+        double largest = 0;
+        for (std::size_t i = 0; i < error_x_.size(); ++i)
+            largest = larger(larger(largest, error_x_[i]), g_ * v_base_[i]);
+        return largest;
+    }
+
+    std::size_t memory_bytes() const noexcept override {
+        return 8 * x_.capacity() * sizeof(double) + stage_.memory_bytes();
+    }
+
+private:
+    void halve_until_found(DynamicSystem& system, std::span<double> x, std::span<double> v, double h,
+                           int depth) {
+        constexpr int kDeepest = 12;
+        if (try_step(system, x, v, h)) return;
+        if (depth == kDeepest) {
+            // There is no motion to be found: what watches over values is to see that.
+            std::fill(v.begin(), v.end(), std::numeric_limits<double>::quiet_NaN());
+            return;
+        }
+        halve_until_found(system, x, v, h / 2, depth + 1);
+        halve_until_found(system, x, v, h / 2, depth + 1);
+    }
+
+    /// Leaves x and v as they are where it returns false.
+    bool try_step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) {
+        g_ = kD * h;
+        if (!has_slope_) system.accelerations(x, v, a_);
+        has_slope_ = true;
+        wide_loop(x.size(), [g = g_, x = x.data(), v = v.data(), a = a_.data(), xb = x_base_.data(),
+                             vb = v_base_.data(), v2 = v2_.data()](std::size_t i) ORBWEAVER_ALWAYS_INLINE {
+            xb[i] = x[i] + g * v[i];
+            vb[i] = v[i] + g * a[i];
+            v2[i] = v[i];
+        });
+        if (!stage_.solve(system, x_base_, v_base_, g_, x_, v2_)) return false;
+        // h f(y2) = (y2 - base)/d
+        wide_loop(x.size(), [h, x = x.data(), v = v.data(), a = a_.data(), xb = x_base_.data(),
+                             vb = v_base_.data(), v2 = v2_.data(), v3 = v_.data(), ex = error_x_.data(),
+                             ev = error_v_.data()](std::size_t i) ORBWEAVER_ALWAYS_INLINE {
+            const double ha = h * a[i];
+            const double ha2 = (v2[i] - vb[i]) / kD;
+            ex[i] = h * (kE1 * v[i] + kE2 * v2[i]);
+            ev[i] = kE1 * ha + kE2 * ha2;
+            xb[i] = x[i] + kW * h * (v[i] + v2[i]);
+            vb[i] = v[i] + kW * (ha + ha2);
+            v3[i] = v2[i];
+        });
+        if (!stage_.solve(system, x_base_, v_base_, g_, x_, v_)) return false;
+        wide_loop(x.size(), [h, x = x.data(), v = v.data(), a = a_.data(), vb = v_base_.data(), x3 = x_.data(),
+                             v3 = v_.data(), ex = error_x_.data(), ev = error_v_.data()](std::size_t i)
+                                ORBWEAVER_ALWAYS_INLINE {
+                                    const double ha3 = (v3[i] - vb[i]) / kD;
+                                    ex[i] += h * kE3 * v3[i];
+                                    ev[i] += kE3 * ha3;
+                                    a[i] = ha3 / h;
+                                    x[i] = x3[i];
+                                    v[i] = v3[i];
+                                });
+        return true;
+    }
+
+    std::vector<double> a_;                  ///< where the step begins
+    std::vector<double> x_, v_, v2_;         ///< of the stages
+    std::vector<double> x_base_, v_base_;    ///< what a stage starts from
+    std::vector<double> error_x_, error_v_;  ///< of the last step
+    NewtonStage stage_;
+    double g_ = 0;            ///< s, of the last step
+    bool has_slope_ = false;  ///< a_ is that of the state the last step ended in
+};
+
+}  // namespace
+
+std::unique_ptr<Method> make_tr_bdf2(std::size_t length) { return std::make_unique<TrBdf2>(length); }
+
+}  // namespace orbweaver::mass_spring
