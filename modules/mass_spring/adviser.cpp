@@ -1,7 +1,6 @@
 #include "adviser.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -9,52 +8,13 @@
 #include "lanczos.hpp"
 #include "orbweaver/random.hpp"
 #include "quantity.hpp"
+#include "spectral_bound.hpp"
+#include "stability_limit.hpp"
 
 namespace orbweaver::mass_spring {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-/// q'' + mu q' + omega^2 q = 0 in two independent components, so that one step from q = (1, 0),
-/// q' = (0, 1) gives both columns of the one-step matrix.
-class Oscillator final : public DynamicSystem {
-public:
-    Oscillator(double omega, double mu) noexcept : squared_(omega * omega), mu_(mu) {}
-    std::size_t length() const noexcept override { return 2; }
-    void accelerations(std::span<const double> x, std::span<const double> v,
-                       std::span<double> a) noexcept override {
-        for (std::size_t i = 0; i < 2; ++i) a[i] = -squared_ * x[i] - mu_ * v[i];
-    }
-    double spectral_radius() override { return std::max(std::sqrt(squared_), mu_); }
-    bool prepare(std::span<const double>, double c, double k, Tangent) override {
-        weight_ = 1 + c * mu_ + k * squared_;
-        return true;
-    }
-    void solve(std::span<const double> r, std::span<double> u) override {
-        for (std::size_t i = 0; i < 2; ++i) u[i] = r[i] / weight_;
-    }
-    double inner_product(std::span<const double> r, std::span<const double> u) const noexcept override {
-        return r[0] * u[0] + r[1] * u[1];
-    }
-
-private:
-    double squared_;
-    double mu_;
-    double weight_ = 1;
-};
-
-/// Spectral radius <= 1 by the criterion of Schur and Cohn on the one-step matrix, |det| <= 1 and
-/// |trace| <= 1 + det, which needs no square root of a cancelling difference.
-bool is_stable(Method& method, Oscillator& oscillator, double h) {
-    constexpr double kRounding = 1e-14;
-    std::array<double, 2> q{1, 0};
-    std::array<double, 2> p{0, 1};
-    method.begin();
-    method.step(oscillator, q, p, h);
-    const double determinant = q[0] * p[1] - q[1] * p[0];
-    const double trace = q[0] + p[1];
-    return std::abs(determinant) <= 1 + kRounding && std::abs(trace) <= 1 + determinant + kRounding;
-}
 
 /// out = M^-1/2 (wk K + wc C) M^-1/2 in, with K and C the tangents at x.
 class ScaledTangent {
@@ -128,23 +88,23 @@ struct Mode {
     std::vector<Vec3> shape;  ///< mass-scaled, unit length
 };
 
-Mode mode_of(ScaledTangent& tangent, EigenPair pair, const MethodInfo& method) {
+Mode mode_of(ScaledTangent& tangent, EigenPair pair, const MethodInfo& method, double radius) {
     if (pair.vector.empty()) return {};
     Mode mode;
     mode.omega = std::sqrt(std::max(0.0, tangent.quotient(1, 0, pair.vector)));
     mode.mu = std::max(0.0, tangent.quotient(0, 1, pair.vector));
-    mode.limit = stability_limit(method, mode.omega, mode.mu);
+    mode.limit = stability_limit(method, mode.omega, mode.mu, radius);
     mode.shape = std::move(pair.vector);
     return mode;
 }
 
 /// A method that amplifies undamped oscillation is limited where omega^2/mu is largest, in whichever mode:
 /// the largest lambda of K q = lambda C q, found from above by Dinkelbach's iteration on K - lambda C.
-Mode least_damped(ScaledTangent& tangent, Mode mode, const MethodInfo& method) {
+Mode least_damped(ScaledTangent& tangent, Mode mode, const MethodInfo& method, double radius) {
     constexpr int kMaxRounds = 12;
     for (int round = 0; round < kMaxRounds && mode.limit > 0 && mode.mu > 0; ++round) {
         const double ratio = mode.omega * mode.omega / mode.mu;
-        Mode next = mode_of(tangent, tangent.top(1, -ratio), method);
+        Mode next = mode_of(tangent, tangent.top(1, -ratio), method, radius);
         if (!(next.limit < mode.limit * (1 - 1e-6))) break;
         mode = std::move(next);
     }
@@ -187,35 +147,14 @@ std::string sentence_of(const Advice& advice, const MethodInfo& method) {
 
 }  // namespace
 
-double stability_limit(const MethodInfo& method, double angular_frequency, double damping_rate) {
-    constexpr double kFirst = 1e-6;
-    constexpr double kLast = 1e3;
-    constexpr double kGrowth = 1.05;
-    const double rate = std::max(angular_frequency, damping_rate);
-    if (rate == 0) return kInfinite;
-    const auto stepper = method.make(2);
-    Oscillator oscillator(angular_frequency / rate, damping_rate / rate);
-    if (!is_stable(*stepper, oscillator, kFirst)) return 0;
-    double stable = kFirst;
-    while (is_stable(*stepper, oscillator, stable * kGrowth)) {
-        stable *= kGrowth;
-        if (stable > kLast) return kInfinite;
-    }
-    double unstable = stable * kGrowth;
-    while (unstable - stable > 1e-9 * stable) {
-        const double middle = stable + (unstable - stable) / 2;
-        (is_stable(*stepper, oscillator, middle) ? stable : unstable) = middle;
-    }
-    return stable / rate;
-}
-
 Advice advise(const SpringSystem& system, std::span<const Vec3> x, const MethodInfo& method) {
     ScaledTangent tangent(system, x);
-    Mode worst = mode_of(tangent, tangent.top(1, 0), method);
-    const bool needs_damping = worst.omega > 0 && stability_limit(method, worst.omega, 0) == 0;
-    Mode most_damped = mode_of(tangent, tangent.top(0, 1), method);
+    const double radius = bound_spectrum(system.network(), system.drag()).radius();
+    Mode worst = mode_of(tangent, tangent.top(1, 0), method, radius);
+    const bool needs_damping = worst.omega > 0 && stability_limit(method, worst.omega, 0, radius) == 0;
+    Mode most_damped = mode_of(tangent, tangent.top(0, 1), method, radius);
     if (most_damped.limit < worst.limit) worst = std::move(most_damped);
-    if (needs_damping) worst = least_damped(tangent, std::move(worst), method);
+    if (needs_damping) worst = least_damped(tangent, std::move(worst), method, radius);
 
     Advice advice;
     advice.stable_step = worst.limit;

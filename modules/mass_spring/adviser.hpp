@@ -24,7 +24,4 @@ struct Advice {
 /// one-step matrix has a spectral radius of at most 1.
 Advice advise(const SpringSystem& system, std::span<const Vec3> x, const MethodInfo& method);
 
-/// The largest h for which `method` does not amplify q'' + mu q' + omega^2 q = 0. 0 when there is none.
-double stability_limit(const MethodInfo& method, double angular_frequency, double damping_rate);
-
 }  // namespace orbweaver::mass_spring

@@ -20,6 +20,7 @@ void BlockPattern::order(const Network& network) {
         if (network.fixed[i] == 0) columns_[i] = free++;
     begins_.resize(static_cast<std::size_t>(free) + 1);
     std::vector<Eigen::Triplet<double, std::int32_t>> entries;
+    entries.reserve(columns() + 2 * network.springs.size());
     for (std::int32_t i = 0; i < free; ++i) entries.emplace_back(i, i, 1.0);
     for (const Spring& s : network.springs) {
         const std::int32_t a = columns_[s.a], b = columns_[s.b];

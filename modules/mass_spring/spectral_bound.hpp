@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "network.hpp"
 
 namespace orbweaver::mass_spring {
@@ -7,6 +9,9 @@ namespace orbweaver::mass_spring {
 struct SpectralBound {
     double angular_frequency = 0;  ///< rad/s, of M^-1 K
     double damping_rate = 0;       ///< 1/s, of M^-1 C
+
+    /// 1/s: at least |lambda| of x'' = a(x, x') as a system of order one.
+    double radius() const noexcept { return std::max(angular_frequency, damping_rate); }
 };
 
 /// What no mode of a network exceeds, however its particles may stand, as long as no spring is shorter than

@@ -1,7 +1,5 @@
 #include "spring_system.hpp"
 
-#include <algorithm>
-
 #include "spectral_bound.hpp"
 #include "spring_force.hpp"
 
@@ -59,10 +57,7 @@ void SpringSystem::accelerations(std::span<const double> x, std::span<const doub
 }
 
 double SpringSystem::spectral_radius() {
-    if (spectral_radius_ < 0) {
-        const SpectralBound bound = bound_spectrum(*network_, drag_);
-        spectral_radius_ = std::max(bound.angular_frequency, bound.damping_rate);
-    }
+    if (spectral_radius_ < 0) spectral_radius_ = bound_spectrum(*network_, drag_).radius();
     return spectral_radius_;
 }
 

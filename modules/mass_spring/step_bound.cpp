@@ -2,15 +2,18 @@
 
 #include <algorithm>
 
-#include "adviser.hpp"
 #include "spectral_bound.hpp"
+#include "stability_limit.hpp"
 
 namespace orbweaver::mass_spring {
 
 double bound_step(const SpringSystem& system, const MethodInfo& method) {
-    const auto [omega, mu] = bound_spectrum(system.network(), system.drag());
-    return std::min({stability_limit(method, omega, 0), stability_limit(method, 0, mu),
-                     stability_limit(method, omega, mu)});
+    const SpectralBound bound = bound_spectrum(system.network(), system.drag());
+    const auto limit = [&](double omega, double mu) {
+        return stability_limit(method, omega, mu, bound.radius());
+    };
+    const double omega = bound.angular_frequency, mu = bound.damping_rate;
+    return std::min({limit(omega, 0), limit(0, mu), limit(omega, mu)});
 }
 
 }  // namespace orbweaver::mass_spring

@@ -1,5 +1,7 @@
 #include "output/trajectory.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 namespace orbweaver {
@@ -14,8 +16,8 @@ Trajectory::Trajectory(const Session& session, const std::string& directory)
             const bool words = std::holds_alternative<std::vector<std::uint64_t>>(entry.data);
             std::vector<std::size_t> shape{entry.count()};
             if (vectors) shape.push_back(3);
-            auto file =
-                std::make_unique<NpyWriter>(directory + "/" + name + ".npy", words ? "<u8" : "<f8", shape);
+            auto file = std::make_unique<NpyWriter>(fmt::format("{}/{}.npy", directory, name),
+                                                    words ? "<u8" : "<f8", shape);
             tracks_.push_back({std::move(file), &entry, name});
         }
 }
