@@ -13,5 +13,7 @@ std::unique_ptr<Method> make_tsit5(std::size_t length);
 std::unique_ptr<Method> make_rkc2(std::size_t length);
 std::unique_ptr<Method> make_implicit_euler(std::size_t length);
 std::unique_ptr<Method> make_tr_bdf2(std::size_t length);
+std::unique_ptr<Method> make_provot(std::size_t length);
+std::unique_ptr<Method> make_xpbd(std::size_t length);
 
 }  // namespace orbweaver::mass_spring

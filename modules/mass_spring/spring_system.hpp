@@ -38,6 +38,14 @@ public:
     /// r M u.
     virtual double inner_product(std::span<const double> r, std::span<const double> u) const noexcept = 0;
 
+    /// For position-based methods, which meet the springs one by one. Accelerations by all else.
+    virtual void free_accelerations(std::span<const double> v, std::span<double> a) const noexcept = 0;
+    /// x, reached from `start` in h seconds, moves by what each spring in turn pulls over that time.
+    virtual void project_springs(std::span<const double> start, std::span<double> x,
+                                 double h) const noexcept = 0;
+    /// Springs strained by more than `strain` are shortened to that, each in turn.
+    virtual void limit_strain(std::span<double> x, double strain) const noexcept = 0;
+
 protected:
     ~DynamicSystem() = default;
 };
@@ -82,6 +90,9 @@ public:
     bool prepare(std::span<const double> x, double c, double k, Tangent tangent) override;
     void solve(std::span<const double> r, std::span<double> u) override;
     double inner_product(std::span<const double> r, std::span<const double> u) const noexcept override;
+    void free_accelerations(std::span<const double> v, std::span<double> a) const noexcept override;
+    void project_springs(std::span<const double> start, std::span<double> x, double h) const noexcept override;
+    void limit_strain(std::span<double> x, double strain) const noexcept override;
 
     Vec3 external_force(std::size_t particle) const noexcept;  ///< N
     double drag() const noexcept { return drag_; }             ///< N s/m

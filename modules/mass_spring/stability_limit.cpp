@@ -32,6 +32,17 @@ public:
     double inner_product(std::span<const double> r, std::span<const double> u) const noexcept override {
         return r[0] * u[0] + r[1] * u[1];
     }
+    // Where nothing swings, what damps is drag.
+    void free_accelerations(std::span<const double> v, std::span<double> a) const noexcept override {
+        for (std::size_t i = 0; i < 2; ++i) a[i] = squared_ == 0 ? -mu_ * v[i] : 0;
+    }
+    void project_springs(std::span<const double> start, std::span<double> x, double h) const noexcept override {
+        if (squared_ == 0) return;
+        const double stiffness = squared_ * h * h, damping = mu_ * h;
+        for (std::size_t i = 0; i < 2; ++i)
+            x[i] -= (stiffness * x[i] + damping * (x[i] - start[i])) / (stiffness + damping + 1);
+    }
+    void limit_strain(std::span<double>, double) const noexcept override {}  // small motion
 
 private:
     double squared_;
