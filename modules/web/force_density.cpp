@@ -84,25 +84,53 @@ std::vector<Vec3> solve_force_densities(const Layout& layout, std::span<const do
     return positions;
 }
 
+namespace {
+
+const Silk& silk_of(const Silks& silks, const Piece& piece) {
+    return silks[static_cast<std::size_t>(piece.kind)];
+}
+
+double length_of(const Layout& layout, const Piece& piece) {
+    return distance(layout.positions[piece.a], layout.positions[piece.b]);
+}
+
+std::vector<double> weigh(const Layout& layout, const Silks& silks, double particle_mass) {
+    std::vector<double> mass(layout.positions.size());
+    for (const Piece& piece : layout.pieces) {
+        const double half = silk_of(silks, piece).linear_density * length_of(layout, piece) / 2;
+        mass[piece.a] += half;
+        mass[piece.b] += half;
+    }
+    for (double& each : mass)
+        if (each == 0) each = particle_mass;
+    return mass;
+}
+
+std::vector<Vec3> weights_of(const std::vector<double>& mass, const Vec3& gravity) {
+    std::vector<Vec3> weights;
+    weights.reserve(mass.size());
+    for (const double each : mass) weights.push_back(gravity * each);
+    return weights;
+}
+
+}  // namespace
+
 mass_spring::Network find_form(Layout& layout, const Silks& silks, double particle_mass, double damping,
                                const Vec3& gravity) {
-    const auto length = [&](const Piece& piece) {
-        return distance(layout.positions[piece.a], layout.positions[piece.b]);
-    };
-    const auto silk = [&](const Piece& piece) { return silks[static_cast<std::size_t>(piece.kind)]; };
-
     std::vector<double> densities;
-    for (const Piece& piece : layout.pieces) densities.push_back(silk(piece).tension / length(piece));
-    const std::vector<Vec3> loads(layout.positions.size(), gravity * particle_mass);
-    layout.positions = solve_force_densities(layout, densities, loads);
+    for (const Piece& piece : layout.pieces)
+        densities.push_back(silk_of(silks, piece).tension / length_of(layout, piece));
+    layout.positions = solve_force_densities(layout, densities, std::vector<Vec3>(layout.positions.size()));
 
     mass_spring::Network network;
-    network.mass.assign(layout.positions.size(), particle_mass);
+    network.mass = weigh(layout, silks, particle_mass);
     network.fixed = layout.fixed;
+    layout.positions = solve_force_densities(layout, densities, weights_of(network.mass, gravity));
     for (std::size_t s = 0; s < layout.pieces.size(); ++s) {
         const Piece& piece = layout.pieces[s];
-        const double stiffness = silk(piece).axial_stiffness;
-        const double rest = length(piece) / (1 + densities[s] * length(piece) / stiffness);
+        const double length = length_of(layout, piece);
+        const double stiffness = silk_of(silks, piece).axial_stiffness;
+        const double rest = length / (1 + densities[s] * length / stiffness);
         network.springs.push_back({piece.a, piece.b, rest, stiffness / rest, damping});
     }
     return network;

@@ -21,6 +21,7 @@ mass_spring::Network over_extend(const Layout& layout, const Construction& how, 
 struct Silk {
     double tension = 0;          ///< T, N, sought at rest
     double axial_stiffness = 0;  ///< EA, N
+    double linear_density = 0;   ///< kg/m; 0: every particle weighs the same
 };
 
 /// By Kind.
@@ -33,7 +34,9 @@ std::vector<Vec3> solve_force_densities(const Layout& layout, std::span<const do
                                         std::span<const Vec3> loads);
 
 /// Moves the layout into equilibrium under gravity (m/s^2) with q = T/l of each piece as laid, and derives the
-/// springs that are at rest there: T = q l, r = l/(1 + T/EA), k = EA/r. No spring is slack.
+/// springs that are at rest there: T = q l, r = l/(1 + T/EA), k = EA/r. No spring is slack. A particle weighs
+/// half of each thread it ends, of its length as found without that weight; `particle_mass` (kg) where no silk
+/// has a density.
 mass_spring::Network find_form(Layout& layout, const Silks& silks, double particle_mass, double damping,
                                const Vec3& gravity);
 

@@ -1,6 +1,7 @@
 #include "web_options.hpp"
 
 #include <array>
+#include <numbers>
 #include <string>
 
 #include "network_file.hpp"
@@ -22,6 +23,33 @@ double read_damping(const Options& options, bool form_found) {
     return form_found ? kFormFoundDamping : 0;
 }
 
+constexpr std::array kSilkKinds = {Kind::anchor, Kind::frame, Kind::radius, Kind::hub, Kind::spiral};
+constexpr std::array kMaterialFigures = {"modulus", "density", "diameter", "prestress"};
+
+template <class Visit>
+void for_each_material_key(Visit&& visit) {
+    for (const Kind kind : kSilkKinds)
+        for (const char* figure : kMaterialFigures)
+            visit("material." + std::string(kKindNames[static_cast<std::size_t>(kind)]) + "." + figure);
+}
+
+bool has_materials(const Options& options) {
+    bool any = false;
+    for_each_material_key([&](const std::string& key) { any = any || options.has(key); });
+    return any;
+}
+
+bool check_materials(const Options& options, Diagnostics& faults) {
+    const std::size_t before = faults.size();
+    for_each_material_key([&](const std::string& key) {
+        if (!options.has(key))
+            faults.push_back({options.where("silk"), "the web's silk has no " + key,
+                              "modulus, density, diameter and prestress of all five kinds of thread",
+                              "say it, or take a silk from assets/silks"});
+    });
+    return faults.size() == before;
+}
+
 /// Points faults that know no place of their own at the option they come from.
 void place(Diagnostics& faults, std::size_t first, const Location& where) {
     for (std::size_t i = first; i < faults.size(); ++i)
@@ -38,9 +66,11 @@ std::optional<Web> build_orb(const Options& options, const Vec3& gravity, const 
     const double mass = options.number("particle_mass");
     const bool form_found = options.text("prestress") == "force_density";
     const double damping = read_damping(options, form_found);
+    const Silks silks = read_silks(options, faults);
+    if (!faults.empty()) return std::nullopt;
     Web web;
     web.layout = construct(*site, how, irregularity);
-    web.network = form_found ? find_form(web.layout, read_silks(options), mass, damping, gravity)
+    web.network = form_found ? find_form(web.layout, silks, mass, damping, gravity)
                              : over_extend(web.layout, how, mass, damping);
     return web;
 }
@@ -84,12 +114,22 @@ Construction read_construction(const Options& options) {
     return how;
 }
 
-Silks read_silks(const Options& options) {
+Silks read_silks(const Options& options, Diagnostics& faults) {
+    const auto material = [&](const std::string& name, const char* what) {
+        return options.number("material." + name + "." + what);
+    };
+    const bool measured = has_materials(options);
+    if (measured && !check_materials(options, faults)) return {};
     Silks silks{};
-    for (const Kind kind : {Kind::anchor, Kind::frame, Kind::radius, Kind::hub, Kind::spiral}) {
+    for (const Kind kind : kSilkKinds) {
         const auto i = static_cast<std::size_t>(kind);
         const std::string name(kKindNames[i]);
-        silks[i] = {options.number("tension." + name), options.number("axial_stiffness." + name)};
+        silks[i] = {options.number("tension." + name), options.number("axial_stiffness." + name), 0};
+        if (!measured) continue;
+        const double diameter = material(name, "diameter");
+        const double area = std::numbers::pi / 4 * diameter * diameter;
+        silks[i] = {material(name, "prestress") * area, material(name, "modulus") * area,
+                    material(name, "density") * area};
     }
     return silks;
 }

@@ -12,7 +12,8 @@
 namespace orbweaver::web {
 
 Construction read_construction(const Options& options);
-Silks read_silks(const Options& options);
+/// Of the material that the table or its silk names; else of tensions and axial stiffnesses.
+Silks read_silks(const Options& options, Diagnostics& faults);
 
 /// Builds what a [web] table asks for. Nothing where it asks for none or several of anchors (or species),
 /// network and strand, or where the one has faults; each is reported where the scene says it.

@@ -37,7 +37,9 @@ TEST_CASE("the manifest's defaults are the thesis's values", "[unit]") {
     CHECK(read.spiral_start == thesis.spiral_start);
     CHECK(read.spiral_end == thesis.spiral_end);
     CHECK(read.spiral_density == thesis.spiral_density);
-    const Silks silks = read_silks(options_of(kAnchors));
+    Diagnostics faults;
+    const Silks silks = read_silks(options_of(kAnchors), faults);
+    CHECK(faults.empty());
     for (std::size_t k = 0; k < 5; ++k) {
         CHECK(silks[k].tension == Approx(web::test::default_silks()[k].tension));
         CHECK(silks[k].axial_stiffness == Approx(web::test::default_silks()[k].axial_stiffness));
@@ -99,4 +101,40 @@ TEST_CASE("a web beyond the range of doubles is refused before it moves", "[extr
     CHECK_FALSE(build(kAnchors + "axial_stiffness = { radius = 1e-314 }", faults));
     REQUIRE(faults.size() == 1);
     CHECK_THAT(faults[0].what, Catch::StartsWith("the web cannot be built: "));
+}
+
+TEST_CASE("a measured silk gives tension, stiffness and weight by its thickness", "[unit]") {
+    Diagnostics faults;
+    const std::string table = kAnchors + "silk = \"araneus_measured\"\n";
+    const Silks silks = read_silks(options_of(table), faults);
+    REQUIRE(faults.empty());
+    const double area = 3.14159265358979 / 4 * 3e-6 * 3e-6;
+    const Silk& radius = silks[2];
+    CHECK(radius.axial_stiffness == Approx(10e9 * area));
+    CHECK(radius.tension == Approx(40e6 * area));
+    CHECK(radius.axial_stiffness / radius.tension == Approx(250));
+    CHECK(radius.linear_density == Approx(1300 * area));
+
+    // At rest: as heavy as its threads are long, within what its weight moves it.
+    const auto web = build(table, faults);
+    REQUIRE(web);
+    double expected = 0;
+    for (const Piece& piece : web->layout.pieces)
+        expected += silks[static_cast<std::size_t>(piece.kind)].linear_density *
+                    distance(web->layout.positions[piece.a], web->layout.positions[piece.b]);
+    double found = 0;
+    for (const double mass : web->network.mass) found += mass;
+    CHECK(found == Approx(expected).epsilon(1e-4));
+}
+
+TEST_CASE("a silk of which something is missing is told, figure by figure", "[unit]") {
+    Diagnostics faults;
+    const auto web =
+        build(kAnchors + "material.radius = { modulus = \"10 GPa\", diameter = \"3 um\" }\n", faults);
+    CHECK_FALSE(web);
+    REQUIRE(faults.size() == 18);
+    CHECK_THAT(
+        to_string(faults.front()),
+        Catch::Contains("the web's silk has no material.anchor.modulus; expected modulus, density, diameter "
+                        "and prestress of all five kinds of thread"));
 }
