@@ -28,6 +28,11 @@ public:
     void solve(std::span<const Vec3> b, std::span<Vec3> u);
     std::size_t memory_bytes() const noexcept;
 
+    std::size_t blocks() const noexcept { return pattern_.blocks(); }  ///< of the factor
+    std::size_t updates() const noexcept {
+        return pattern_.targets().size();
+    }  ///< of blocks, by a factorisation
+
 private:
     void assemble(std::span<const double> diagonal, std::span<const SymmetricBlock> blocks) noexcept;
     void add(std::int32_t block, double sign, const SymmetricBlock& b) noexcept;

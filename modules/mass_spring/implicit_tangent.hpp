@@ -19,6 +19,9 @@ public:
     void solve(std::span<const double> r, std::span<double> u);
     std::size_t memory_bytes() const noexcept;
 
+    double prepare_seconds() const noexcept;  ///< see SpringSystem::work_seconds()
+    double solve_seconds() const noexcept;
+
 private:
     const Network* network_;
     Packing packing_;

@@ -80,6 +80,11 @@ public:
     std::size_t size() const noexcept;  ///< particles
     std::size_t memory_bytes() const noexcept;
 
+    /// What the calls of methods so far take on one core of a desktop of 2020, counted and not timed: the same
+    /// wherever it runs. Figures of README, "Work".
+    double work_seconds() const noexcept { return work_; }
+    double evaluation_seconds() const noexcept;  ///< of accelerations(), and a method's sums with them
+
     /// The layout of the flat vectors.
     const Packing& packing() const noexcept;
     std::size_t length() const noexcept override;
@@ -119,6 +124,7 @@ private:
     std::vector<double> external_;               ///< packed; empty: none
     std::vector<double> pull_;                   ///< N, three planes of a slot per spring, scratch
     std::unique_ptr<ImplicitTangent> implicit_;  ///< null until an implicit method asks
+    mutable double work_ = 0;                    ///< s
     double spectral_radius_ = -1;                ///< 1/s; negative until a method asks
 };
 

@@ -20,21 +20,41 @@ std::string methods_with_tolerance() {
     return names;
 }
 
+void check_goal(const Options& options, Diagnostics& faults) {
+    if (options.has("tolerance") != options.has("budget")) return;
+    faults.push_back({options.where("method"),
+                      std::string("method auto has ") + (options.has("budget") ? "two goals" : "no goal"),
+                      "either a tolerance, as \"1e-4 m\" over the run, or a budget, as \"4 ms\" a frame", ""});
+}
+
+void check_tolerance(const Options& options, const mass_spring::SimulationSettings& settings,
+                     Diagnostics& faults) {
+    if (settings.tolerance == 0 || settings.method->embedded_order > 0) return;
+    faults.push_back({options.where("tolerance"),
+                      "method " + options.text("method") + " does not tell the error of its steps",
+                      "a tolerance with one of " + methods_with_tolerance() + ", or with auto",
+                      "choose another method, or say its step instead"});
+}
+
 }  // namespace
 
-mass_spring::SimulationSettings read_motion(const Options& options, Diagnostics& faults) {
-    mass_spring::SimulationSettings settings;
+Motion read_motion(const Options& options, Diagnostics& faults) {
+    Motion motion;
+    mass_spring::SimulationSettings& settings = motion.settings;
     settings.method = mass_spring::find_method(options.text("method"));
-    settings.step = options.has("step") ? options.number("step") : 0;
-    settings.tolerance = options.has("tolerance") ? options.number("tolerance") : 0;
     settings.on_unstable = read_on_unstable(options.text("on_unstable"));
     settings.max_substeps = options.integer("max_substeps");
-    if (settings.tolerance > 0 && settings.method->embedded_order == 0)
-        faults.push_back({options.where("tolerance"),
-                          "method " + options.text("method") + " does not tell the error of its steps",
-                          "a tolerance with one of " + methods_with_tolerance(),
-                          "choose another method, or say its step instead"});
-    return settings;
+    const double tolerance = options.has("tolerance") ? options.number("tolerance") : 0;
+    if (settings.method == nullptr) {
+        motion.tolerance = tolerance;
+        motion.budget = options.has("budget") ? options.number("budget") : 0;
+        check_goal(options, faults);
+        return motion;
+    }
+    settings.step = options.has("step") ? options.number("step") : 0;
+    settings.tolerance = tolerance;
+    check_tolerance(options, settings, faults);
+    return motion;
 }
 
 }  // namespace orbweaver::web

@@ -6,8 +6,15 @@
 
 namespace orbweaver::web {
 
-/// How a [web] table asks for its motion to be integrated. A tolerance that its method cannot keep is reported
-/// where the scene says it.
-mass_spring::SimulationSettings read_motion(const Options& options, Diagnostics& faults);
+/// How a [web] table asks for its motion to be integrated.
+struct Motion {
+    mass_spring::SimulationSettings settings;  ///< no method: it is to be chosen, by tolerance or budget
+    double tolerance = 0;                      ///< m over the run, for the choice; 0: by budget
+    double budget = 0;                         ///< s a frame, for the choice
+};
+
+/// A tolerance that the method cannot keep, and an automatic choice without a goal, are reported where the
+/// scene says them.
+Motion read_motion(const Options& options, Diagnostics& faults);
 
 }  // namespace orbweaver::web

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "manifest_text.hpp"
+#include "mass_spring/method_choice.hpp"
 #include "mass_spring/settle.hpp"
 #include "mass_spring/simulation.hpp"
 #include "measures.hpp"
@@ -21,7 +22,7 @@ public:
     void attach(Host& host) override {
         Diagnostics faults;
         auto web = build_web(host.options(), host.scene().gravity, host.random("irregularity"), faults);
-        const auto motion = read_motion(host.options(), faults);
+        Motion motion = read_motion(host.options(), faults);
         const bool sound = faults.empty();
         for (Diagnostic& fault : faults) host.report_fault(std::move(fault));
         if (!sound || !web) return;
@@ -32,7 +33,8 @@ public:
         make_system(host);
         if (host.options().flag("settle")) settle(host);
         start_residual_ = residual();
-        make_simulation(host, motion);
+        if (motion.settings.method == nullptr) choose(host, motion);
+        make_simulation(host, motion.settings);
         host.provide<Threads>(*this);
     }
 
@@ -53,6 +55,7 @@ public:
         report.measure("energy_j", energy().total());
         report.measure("energy_gain_j", simulation_->energy_gain());
         const mass_spring::Advice& advice = simulation_->advice();
+        if (!choice_.empty()) report.measure("choice", choice_);
         report.measure("stable_step_s", advice.stable_step);
         report.measure("stable_step_spring", advice.has_spring ? describe_spring(advice.spring) : "none");
     }
@@ -96,6 +99,25 @@ private:
         host.telemetry("max_strain", [this] { return measure_threads(web_.network, position_).max_strain; });
     }
 
+    /// By trials in the winds of a few moments spread over the run.
+    void choose(Host& host, Motion& motion) {
+        constexpr int kMoments = 3;
+        const SceneInfo& scene = host.scene();
+        std::vector<std::vector<Vec3>> loads;
+        for (int i = 0; wind_ != nullptr && i < kMoments; ++i) {
+            const double time = scene.duration * (i + 0.5) / kMoments;
+            blow({0, time, scene.step});
+            loads.push_back(external_);
+        }
+        const mass_spring::ChoiceGoal goal{scene.step, std::max(1.0, scene.duration / scene.step),
+                                           motion.tolerance, motion.budget};
+        const auto choice = choose_method(*system_, surroundings_, position_, loads, goal);
+        motion.settings.method = choice.chosen.method;
+        motion.settings.step = choice.chosen.step;
+        choice_ = choice.sentence;
+        host.log(choice.meets_goal ? LogLevel::info : LogLevel::warning, choice_);
+    }
+
     void settle(Host& host) {
         const auto found = mass_spring::settle(*system_, position_);
         if (!found.converged)
@@ -107,10 +129,15 @@ private:
     }
 
     void sense(const Frame& frame) {
+        blow(frame);
+        system_->set_surroundings(surroundings_);
+    }
+
+    /// What the air pushes with, into external_.
+    void blow(const Frame& frame) {
         wind_->sample({frame.time, position_, web_.layout.center, radius_}, air_velocity_, external_);
         for (std::size_t i = 0; i < external_.size(); ++i)
             external_[i] += surroundings_.drag * air_velocity_[i];
-        system_->set_surroundings(surroundings_);
     }
 
     mass_spring::Energy energy() const noexcept { return system_->energy(position_, velocity_); }
@@ -165,6 +192,7 @@ private:
     std::unique_ptr<mass_spring::Simulation> simulation_;
     mass_spring::Surroundings surroundings_;
     std::string method_;
+    std::string choice_;  // of method auto, in words
     const WindField* wind_ = nullptr;
     std::vector<Vec3> air_velocity_;  // m/s, sampled this frame
     std::vector<Vec3> external_;      // N, of this frame

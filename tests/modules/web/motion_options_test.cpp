@@ -10,14 +10,15 @@ using orbweaver::web::test::options_of;
 
 TEST_CASE("a web moves as its table says", "[unit]") {
     Diagnostics faults;
-    const auto plain = read_motion(options_of(""), faults);
+    const auto plain = read_motion(options_of(""), faults).settings;
     CHECK(plain.method->name == "rk4");
     CHECK(plain.step == 0);
     CHECK(plain.tolerance == 0);
     CHECK(plain.on_unstable == mass_spring::OnUnstable::substep);
     const auto asked = read_motion(options_of("method = \"tsit5\"\ntolerance = \"1e-3 mm\"\nstep = \"2 ms\"\n"
                                               "on_unstable = \"stop\"\nmax_substeps = 7\n"),
-                                   faults);
+                                   faults)
+                           .settings;
     CHECK(asked.method->name == "tsit5");
     CHECK(asked.tolerance == Approx(1e-6));
     CHECK(asked.step == Approx(2e-3));
@@ -29,9 +30,8 @@ TEST_CASE("a web moves as its table says", "[unit]") {
 TEST_CASE("the manifest offers the methods there are", "[unit]") {
     for (const auto& method : mass_spring::methods()) {
         Diagnostics faults;
-        const auto settings =
-            read_motion(options_of("method = \"" + std::string(method.name) + "\"\n"), faults);
-        CHECK(settings.method == &method);
+        const auto motion = read_motion(options_of("method = \"" + std::string(method.name) + "\"\n"), faults);
+        CHECK(motion.settings.method == &method);
     }
 }
 
@@ -41,5 +41,22 @@ TEST_CASE("a tolerance that the method cannot keep is a fault of the scene", "[u
     REQUIRE(faults.size() == 1);
     CHECK(to_string(faults.front()) ==
           "scene.toml:2:13: method rk4 does not tell the error of its steps; expected a tolerance with one of "
-          "tsit5, rkc2, tr_bdf2; choose another method, or say its step instead");
+          "tsit5, rkc2, tr_bdf2, or with auto; choose another method, or say its step instead");
+}
+
+TEST_CASE("an automatic choice has one goal", "[unit]") {
+    Diagnostics faults;
+    const Motion accurate = read_motion(options_of("method = \"auto\"\ntolerance = \"0.1 mm\"\n"), faults);
+    CHECK(accurate.settings.method == nullptr);
+    CHECK(accurate.tolerance == Approx(1e-4));
+    CHECK(accurate.settings.tolerance == 0);
+    const Motion cheap = read_motion(options_of("method = \"auto\"\nbudget = \"4 ms\"\n"), faults);
+    CHECK(cheap.budget == Approx(4e-3));
+    CHECK(faults.empty());
+    read_motion(options_of("method = \"auto\"\n"), faults);
+    read_motion(options_of("method = \"auto\"\nbudget = 1\ntolerance = 1\n"), faults);
+    REQUIRE(faults.size() == 2);
+    CHECK_THAT(to_string(faults[0]),
+               Catch::StartsWith("scene.toml:1:10: method auto has no goal; expected either"));
+    CHECK_THAT(to_string(faults[1]), Catch::StartsWith("scene.toml:1:10: method auto has two goals; expected"));
 }
