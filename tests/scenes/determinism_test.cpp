@@ -14,6 +14,23 @@ std::uint64_t hash_after(OpenScene& scene, int frames) {
     return scene.session->state_hash();
 }
 
+/// The overrides for each method that the web offers, with and without a tolerance where it can have one.
+std::vector<std::vector<std::string>> ways_to_move() {
+    std::vector<std::vector<std::string>> ways;
+    const OpenScene scene = open_scene("strand");
+    for (const auto& instance : scene.session->instances())
+        for (const OptionSpec& option : instance->manifest().options) {
+            if (option.key != "method" || !ways.empty()) continue;
+            for (const std::string& name : option.choices) {
+                if (name != "auto") ways.push_back({"web.method=" + name});
+                if (name == "auto" || name == "tsit5" || name == "rkc2" || name == "tr_bdf2")
+                    ways.push_back({"web.method=" + name, "web.tolerance=1e-6"});
+            }
+        }
+    REQUIRE(ways.size() >= 14);
+    return ways;
+}
+
 }  // namespace
 
 TEST_CASE("every shipped scene gives the same state on every run, on 1 and 2 threads", "[scene]") {
@@ -42,6 +59,24 @@ TEST_CASE("a restored snapshot goes on to the state of the run that never stoppe
     OpenScene resumed = open_scene(name);
     restore_snapshot(*resumed.session, snapshot, "the snapshot");
     CHECK(hash_after(resumed, 77) == expected);
+}
+
+TEST_CASE("with every method a run repeats, and goes on from a snapshot to the same state", "[scene]") {
+    const auto every = ways_to_move();
+    const std::vector<std::string> way = GENERATE_COPY(from_range(every));
+    CAPTURE(way);
+    OpenScene whole = open_scene("strand", {}, way);
+    hash_after(whole, 7);
+    const std::string snapshot = save_snapshot(*whole.session);
+    const std::uint64_t expected = hash_after(whole, 70);
+
+    Request two;
+    two.threads = 2;
+    OpenScene again = open_scene("strand", two, way);
+    CHECK(hash_after(again, 77) == expected);
+    OpenScene resumed = open_scene("strand", {}, way);
+    restore_snapshot(*resumed.session, snapshot, "the snapshot");
+    CHECK(hash_after(resumed, 70) == expected);
 }
 
 TEST_CASE("another seed gives another web", "[scene]") {
