@@ -2,10 +2,10 @@
 
 namespace orbweaver::mass_spring {
 
-ImplicitTangent::ImplicitTangent(const Network& network)
+ImplicitTangent::ImplicitTangent(const Network& network, LinearSolverKind solver)
     : network_(&network),
       packing_(network.size()),
-      solver_(network),
+      solver_(make_linear_solver(solver, network)),
       x_(network.size()),
       right_(network.size()),
       left_(network.size()),
@@ -20,28 +20,25 @@ bool ImplicitTangent::prepare(std::span<const double> x, double drag, double c, 
         const Vec3 l = x_[s.a] - x_[s.b];
         blocks_[i] = k * stiffness_block(s, l, clamped) + c * damping_block(s, l);
     }
-    return solver_.factorize(diagonal_, blocks_);
+    return solver_->factorize(diagonal_, blocks_);
 }
 
 void ImplicitTangent::solve(std::span<const double> r, std::span<double> u) {
     packing_.unpack(r, right_);
     for (std::size_t i = 0; i < right_.size(); ++i) right_[i] *= network_->mass[i];
-    solver_.solve(right_, left_);
+    solver_->solve(right_, left_);
     packing_.pack(left_, u);
 }
 
 double ImplicitTangent::prepare_seconds() const noexcept {
-    constexpr double kUpdate = 4.6e-9, kSpring = 60e-9;
-    return kUpdate * static_cast<double>(solver_.updates()) + kSpring * static_cast<double>(blocks_.size());
+    constexpr double kSpring = 40e-9;
+    return solver_->factorize_seconds() + kSpring * static_cast<double>(blocks_.size());
 }
 
-double ImplicitTangent::solve_seconds() const noexcept {
-    constexpr double kBlock = 7e-9, kParticle = 20e-9;
-    return kBlock * static_cast<double>(solver_.blocks()) + kParticle * static_cast<double>(x_.size());
-}
+double ImplicitTangent::solve_seconds() const noexcept { return solver_->solve_seconds(); }
 
 std::size_t ImplicitTangent::memory_bytes() const noexcept {
-    return solver_.memory_bytes() + x_.size() * (3 * sizeof(Vec3) + sizeof(double)) +
+    return solver_->memory_bytes() + x_.size() * (3 * sizeof(Vec3) + sizeof(double)) +
            blocks_.capacity() * sizeof(SymmetricBlock);
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "block_solver.hpp"
+#include "linear_solver.hpp"
 #include "packing.hpp"
 
 namespace orbweaver::mass_spring {
@@ -13,7 +14,7 @@ namespace orbweaver::mass_spring {
 class ImplicitTangent {
 public:
     /// `network` must outlive it.
-    explicit ImplicitTangent(const Network& network);
+    ImplicitTangent(const Network& network, LinearSolverKind solver);
 
     bool prepare(std::span<const double> x, double drag, double c, double k, bool clamped);
     void solve(std::span<const double> r, std::span<double> u);
@@ -25,7 +26,7 @@ public:
 private:
     const Network* network_;
     Packing packing_;
-    BlockSolver solver_;
+    std::unique_ptr<LinearSolver> solver_;
     std::vector<Vec3> x_, right_, left_;
     std::vector<double> diagonal_;
     std::vector<SymmetricBlock> blocks_;

@@ -57,20 +57,25 @@ void SpringSystem::accelerations(std::span<const double> x, std::span<const doub
     workers_->for_each_range(table_.blocks.size(), kGrain, accelerate);
 }
 
+void SpringSystem::use_linear_solver(LinearSolverKind kind) {
+    linear_solver_ = kind;
+    implicit_.reset();
+}
+
 double SpringSystem::spectral_radius() {
     if (spectral_radius_ < 0) spectral_radius_ = bound_spectrum(*network_, drag_).radius();
     return spectral_radius_;
 }
 
 bool SpringSystem::prepare(std::span<const double> x, double c, double k, Tangent tangent) {
-    if (implicit_ == nullptr) implicit_ = std::make_unique<ImplicitTangent>(*network_);
+    if (implicit_ == nullptr) implicit_ = std::make_unique<ImplicitTangent>(*network_, linear_solver_);
     work_ += implicit_->prepare_seconds();
     return implicit_->prepare(x, drag_, c, k, tangent == Tangent::clamped);
 }
 
 void SpringSystem::solve(std::span<const double> r, std::span<double> u) {
-    work_ += implicit_->solve_seconds();
     implicit_->solve(r, u);
+    work_ += implicit_->solve_seconds();
 }
 
 double SpringSystem::evaluation_seconds() const noexcept {

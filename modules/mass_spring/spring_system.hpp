@@ -76,6 +76,8 @@ public:
 
     /// In force until the next call; the external forces are copied.
     void set_surroundings(const Surroundings& surroundings);
+    /// Of implicit methods, from the next prepare() on.
+    void use_linear_solver(LinearSolverKind kind);
     const Network& network() const noexcept;
     std::size_t size() const noexcept;  ///< particles
     std::size_t memory_bytes() const noexcept;
@@ -121,8 +123,9 @@ private:
     const SpringKernels* kernels_;
     Vec3 gravity_;
     double drag_ = 0;
-    std::vector<double> external_;               ///< packed; empty: none
-    std::vector<double> pull_;                   ///< N, three planes of a slot per spring, scratch
+    std::vector<double> external_;  ///< packed; empty: none
+    std::vector<double> pull_;      ///< N, three planes of a slot per spring, scratch
+    LinearSolverKind linear_solver_ = LinearSolverKind::automatic;
     std::unique_ptr<ImplicitTangent> implicit_;  ///< null until an implicit method asks
     mutable double work_ = 0;                    ///< s
     double spectral_radius_ = -1;                ///< 1/s; negative until a method asks

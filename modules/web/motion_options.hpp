@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mass_spring/linear_solver.hpp"
 #include "mass_spring/simulation_settings.hpp"
 #include "orbweaver/diagnostic.hpp"
 #include "orbweaver/options.hpp"
@@ -11,6 +12,7 @@ struct Motion {
     mass_spring::SimulationSettings settings;  ///< no method: it is to be chosen, by tolerance or budget
     double tolerance = 0;                      ///< m over the run, for the choice; 0: by budget
     double budget = 0;                         ///< s a frame, for the choice
+    mass_spring::LinearSolverKind linear_solver = mass_spring::LinearSolverKind::automatic;
 };
 
 /// A tolerance that the method cannot keep, and an automatic choice without a goal, are reported where the

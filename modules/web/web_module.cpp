@@ -33,6 +33,7 @@ public:
         make_system(host);
         if (host.options().flag("settle")) settle(host);
         start_residual_ = residual();
+        system_->use_linear_solver(motion.linear_solver);
         if (motion.settings.method == nullptr) choose(host, motion);
         make_simulation(host, motion.settings);
         host.provide<Threads>(*this);

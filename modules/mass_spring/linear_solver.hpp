@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "network.hpp"
+#include "orbweaver/vec3.hpp"
+#include "symmetric_block.hpp"
+
+namespace orbweaver::mass_spring {
+
+/// Solves A u = b over the free particles of a network, where A has a multiple of the identity per particle
+/// and, per spring, a symmetric 3x3 block B with + at its ends' diagonals and - beside.
+class LinearSolver {
+public:
+    virtual ~LinearSolver() = default;
+
+    /// `diagonal` per particle, `blocks` per spring. False where A was found not to be positive definite; then
+    /// there is nothing to solve with.
+    virtual bool factorize(std::span<const double> diagonal, std::span<const SymmetricBlock> blocks) = 0;
+    /// u is zero at fixed particles, and not a number where no solution was found.
+    virtual void solve(std::span<const Vec3> b, std::span<Vec3> u) = 0;
+
+    virtual double factorize_seconds() const noexcept = 0;  ///< see SpringSystem::work_seconds()
+    virtual double solve_seconds() const noexcept = 0;      ///< of the last solve
+    virtual std::size_t memory_bytes() const noexcept = 0;
+};
+
+enum class LinearSolverKind : std::uint8_t {
+    automatic,  ///< cholesky up to 50,000 particles, whose factor then takes some 100 MB
+    cholesky,
+    conjugate_gradients
+};
+
+std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, const Network& network);
+
+}  // namespace orbweaver::mass_spring
