@@ -33,19 +33,24 @@ public:
     /// `best`.
     void climb_down(const MethodInfo& method, std::optional<MethodTrial>& best) {
         constexpr int kMostRungs = 14;
+        constexpr int kMostIdle = 2;  // rungs that win nothing: down to rounding
         std::int64_t substeps = longest_steps(method);
         if (substeps == 0) return;
         const double evaluations = static_cast<double>(substeps * method.evaluations);
         if (too_long(evaluations * system_.evaluation_seconds(), best)) return;
         TrialRun here = run(method, substeps);
         std::optional<MethodTrial> nearest;
+        double least = HUGE_VAL;
+        int idle = 0;
         for (int rung = 0; rung < kMostRungs && !too_long(2 * here.cost, best); ++rung, substeps *= 2) {
             TrialRun halved = run(method, 2 * substeps);
             const MethodTrial trial{&method, goal_.frame_step / static_cast<double>(substeps),
                                     error_of(method, here, halved), here.cost};
             here = std::move(halved);
             if (std::isfinite(trial.error) && better(trial, nearest)) nearest = trial;
-            if (meets_tolerance(trial) || over_budget(here.cost)) break;
+            idle = trial.error < least ? 0 : idle + 1;
+            least = std::min(least, trial.error);
+            if (meets_tolerance(trial) || over_budget(here.cost) || idle == kMostIdle) break;
         }
         if (nearest) tried_.push_back(*nearest);
         if (nearest && better(*nearest, best)) best = nearest;
@@ -77,7 +82,7 @@ private:
 
     /// Whether trials at that cost of a frame take longer than a choice is worth, or cannot be better.
     bool too_long(double cost, const std::optional<MethodTrial>& best) const {
-        constexpr double kMostSeconds = 1;  // of one trial
+        constexpr double kMostSeconds = 0.6;  // of one trial
         if (cost * kTrialFrames * static_cast<double>(load_count()) > kMostSeconds) return true;
         return best && meets_tolerance(*best) && cost > 2 * best->cost;
     }
