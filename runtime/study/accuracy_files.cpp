@@ -56,9 +56,10 @@ SvgPlot error_plot(const AccuracyResult& result) {
         costs.push_back(row.wall_s);
         errors.push_back(*row.error_m);
     }
+    const Axis error_axis = axis_around("largest error / m", errors, true);
     SvgPlot plot(
         fmt::format("{}: error against run time, {} simulated", result.scene, seconds_text(result.duration_s)),
-        axis_around("run time / s", costs, true), axis_around("largest error / m", errors, true));
+        axis_around("run time / s", costs, true), error_axis);
     std::vector<PlotPoint> front;
     for (const std::size_t i : result.front)
         front.push_back({result.rows[i].wall_s, result.rows[i].error_m.value_or(0)});
@@ -72,11 +73,11 @@ SvgPlot error_plot(const AccuracyResult& result) {
         for (const AccuracyRow& row : result.rows)
             if (row.rung.method == methods[m] && row.error_m)
                 plot.mark({row.wall_s, *row.error_m}, mark_of(m), color_of(m), row.outcome == "done");
-        plot.legend_mark(methods[m], mark_of(m), color_of(m));
+        plot.legend_mark(methods[m] + (line.empty() ? ": none ended" : ""), mark_of(m), color_of(m));
     }
     plot.legend_line("Pareto front", "#cccccc");
     plot.legend_mark("hollow: not resolved", Mark::circle, "#666666", false);
-    if (result.uncertainty_m > 0) {
+    if (result.uncertainty_m >= error_axis.low) {
         const PlotPoint floor[] = {{0, result.uncertainty_m}, {HUGE_VAL, result.uncertainty_m}};
         plot.line(floor, "#666666", true, 1);
         plot.legend_line("reference's uncertainty", "#666666", true);

@@ -51,6 +51,19 @@ private:
             if (axis->table == subject_.table() && axis->option == subject_.spec().step)
                 result_.step_axis = axis == &result_.x ? 0 : 1;
         }
+        if (result_.step_axis >= 0) snap_steps(result_.step_axis == 0 ? result_.x : result_.y);
+    }
+
+    // A frame is cut into equal steps: other steps than those that divide it would be taken shorter than asked.
+    void snap_steps(MapAxis& axis) const {
+        const double frame = subject_.scene().step;
+        for (double& step : axis.values) step = frame / std::max(1.0, std::round(frame / step));
+        axis.values.erase(std::unique(axis.values.begin(), axis.values.end()), axis.values.end());
+        if (axis.values.size() < 2)
+            throw Fault(FaultKind::invalid,
+                        fmt::format("--axis {}: these steps come to one step of {}; expected two or more that "
+                                    "divide a frame of {}",
+                                    axis.path, seconds_text(axis.values[0]), seconds_text(frame)));
     }
 
     // The step around what the scene's web bears, and the module's own axis; whichever is not given yet.
@@ -110,20 +123,27 @@ private:
         return all;
     }
 
-    // The same physics by the method of reference, at steps that its adviser holds for stable.
+    // The same physics by the method of reference, at a quarter of the stable step: at all of it, explicit
+    // methods damp the fastest modes.
+    std::optional<double> reference_speed(const std::vector<std::string>& changes,
+                                          const Deadline& share) const {
+        const std::string& method = subject_.spec().references[0];
+        const double stable = stable_step(method, changes);
+        const double asked = std::min(subject_.scene().step, stable > 0 ? stable / 4 : HUGE_VAL);
+        std::vector<std::string> overrides = method_only(method, "substep");
+        overrides.push_back(subject_.assign(subject_.spec().step, asked));
+        overrides.insert(overrides.end(), changes.begin(), changes.end());
+        const Trial trial = run_trial(settings_, subject_, {overrides, result_.duration_s, nudges_}, share);
+        return trial.ending == Ending::done ? std::optional(rms_speed(trial.motion)) : std::nullopt;
+    }
+
     void run_references() {
         const Deadline share = deadline_.share(kReferenceShare);
         Progress progress("references", 0, cells(), 0, settings_.run.quiet, "cells");
         for (std::size_t cell = 0; cell < cells(); ++cell) {
+            const auto [found, is_new] = references_.emplace(physics(cell), std::nullopt);
+            if (is_new) found->second = reference_speed(found->first, share);
             progress.update(cell + 1);
-            const auto changes = physics(cell);
-            const auto [found, is_new] = references_.emplace(changes, std::nullopt);
-            if (!is_new) continue;
-            std::vector<std::string> overrides = method_only(subject_.spec().references[0], "substep");
-            overrides.push_back(subject_.assign(subject_.spec().step, subject_.scene().step));
-            overrides.insert(overrides.end(), changes.begin(), changes.end());
-            const Trial trial = run_trial(settings_, subject_, {overrides, result_.duration_s, nudges_}, share);
-            if (trial.ending == Ending::done) found->second = rms_speed(trial.motion);
         }
     }
 

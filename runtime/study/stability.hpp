@@ -46,8 +46,9 @@ inline constexpr double kNudge = 1e-9;
 /// How many times faster or slower than its reference (rms speed between frames) a stable run may be.
 inline constexpr double kSpeedFactor = 2;
 
-/// Maps every method over two axes; with no axes given, over the step and the module's own axis. Cells are run
-/// from long steps to short ones, so that it is the most expensive ones that lack of time leaves out. Throws
+/// Maps every method over two axes; with no axes given, over the step and the module's own axis. Steps are
+/// moved to the nearest that divide a frame, since other steps are not taken as asked. Cells are run from long
+/// steps to short ones, so that it is the most expensive ones that lack of time leaves out. Throws
 /// Fault(invalid) for axes that the scene does not know or whose ends it refuses.
 StabilityResult study_stability(const StudySettings& settings, const Subject& subject,
                                 const std::vector<AxisText>& axes, const Deadline& deadline);

@@ -44,17 +44,19 @@ void draw_advice(SvgPlot& plot, const StabilityResult& result, const StabilityMa
     if (map.advised_s.empty()) return;
     const MapAxis& other = result.step_axis == 0 ? result.y : result.x;
     const Axis step = plot_axis(result.step_axis == 0 ? result.x : result.y);
-    std::vector<PlotPoint> line;
     bool crosses = false;
-    for (std::size_t i = 0; i < other.values.size(); ++i) {
-        line.push_back(at_step(result, map.advised_s[i], other.values[i]));
-        crosses = crosses || within(step, map.advised_s[i]);
+    for (std::size_t i = 1; i < other.values.size(); ++i) {
+        if (!within(step, map.advised_s[i - 1]) && !within(step, map.advised_s[i])) continue;
+        const PlotPoint part[] = {at_step(result, map.advised_s[i - 1], other.values[i - 1]),
+                                  at_step(result, map.advised_s[i], other.values[i])};
+        plot.line(part, "#000000", false, 2.4);
+        crosses = true;
     }
-    if (crosses) plot.line(line, "#000000", false, 2.4);
-    plot.legend_line(crosses                             ? "advised limit"
-                     : map.advised_s.front() > step.high ? "advised: any step"
-                                                         : "advised: no step here",
-                     "#000000");
+    if (crosses)
+        plot.legend_line("advised limit", "#000000");
+    else
+        plot.legend_line(map.advised_s.front() > step.high ? "advised: any of these" : "advised: none of these",
+                         "none");
 }
 
 void draw_own_point(SvgPlot& plot, const StabilityResult& result, const StabilityMap& map) {

@@ -33,11 +33,12 @@ double round_spacing(double span) {
 std::vector<double> log_ticks(const Axis& axis) {
     const double first = std::floor(std::log10(axis.low) + 1e-9);
     const double last = std::ceil(std::log10(axis.high) - 1e-9);
+    const bool between = axis.high <= 100 * axis.low * (1 + 1e-9);
     const double stride = std::max(1.0, std::ceil((last - first) / 12));
     std::vector<double> all;
     for (double decade = first; decade <= last; decade += stride)
         for (const double factor : {1.0, 2.0, 5.0})
-            if (factor == 1 || last - first < 3) all.push_back(factor * std::pow(10, decade));
+            if (factor == 1 || between) all.push_back(factor * std::pow(10, decade));
     return all;
 }
 
@@ -47,7 +48,7 @@ std::string text_at(double x, double y, const char* anchor, const std::string& t
 }
 
 std::string tick_text(double value, bool log) {
-    if (!log || (value >= 0.01 && value < 1000)) return fmt::format("{:.4g}", value);
+    if (!log || (value >= 0.001 && value < 1000)) return fmt::format("{:.4g}", value);
     const int decade = static_cast<int>(std::floor(std::log10(value) + 1e-9));
     return fmt::format("{:.0f}e{}", value / std::pow(10, decade), decade);
 }
@@ -128,7 +129,7 @@ std::string color_of(std::size_t n) {
     return colors[n % colors.size()];
 }
 
-Mark mark_of(std::size_t n) { return static_cast<Mark>((n + n / 7) % 4); }
+Mark mark_of(std::size_t n) { return static_cast<Mark>((n + 2 * (n / 7)) % 4); }
 
 std::string escaped(const std::string& text) {
     std::string safe;
