@@ -40,8 +40,7 @@ public:
 
 private:
     double stable_step(const std::string& method) const {
-        const Rung frame = subject_.by_tolerance(method) ? Rung{method, 0, 1e-3} : subject_.rung(method, 1);
-        return run_trial(settings_, subject_, {subject_.overrides(frame), 0}, deadline_).stable_step_s;
+        return study::stable_step(settings_, subject_, method, {}, deadline_);
     }
 
     std::vector<Rung> reference_rungs(const std::string& method) const {

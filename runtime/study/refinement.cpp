@@ -32,8 +32,8 @@ std::vector<Rung> ladder(const Subject& subject, const std::string& method, doub
         }
         return rungs;
     }
-    const double first = std::max(1.0, std::ceil(subject.scene().step / coarsest * (1 - 1e-9)));
-    for (int i = 0; i < count; ++i) rungs.push_back(subject.rung(method, std::ldexp(first, i)));
+    const double first = subject.rung_within(method, coarsest).step;
+    for (int i = 0; i < count; ++i) rungs.push_back({method, std::ldexp(first, -i), 0});
     return rungs;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study/axis.hpp"
+#include "study/map_axes.hpp"
 #include "study/subject.hpp"
 #include "study/time_budget.hpp"
 
@@ -33,8 +33,7 @@ struct StabilityResult {
     std::string scene;
     std::string table;
     double duration_s = 0;
-    MapAxis x, y;
-    int step_axis = -1;  ///< 0: x is the method's step; 1: y is; -1: neither
+    MapAxes axes;
     std::vector<StabilityMap> maps;
     std::vector<std::string> sentences;
 };
@@ -46,10 +45,8 @@ inline constexpr double kNudge = 1e-9;
 /// How many times faster or slower than its reference (rms speed between frames) a stable run may be.
 inline constexpr double kSpeedFactor = 2;
 
-/// Maps every method over two axes; with no axes given, over the step and the module's own axis. Steps are
-/// moved to the nearest that divide a frame, since other steps are not taken as asked. Cells are run from long
-/// steps to short ones, so that it is the most expensive ones that lack of time leaves out. Throws
-/// Fault(invalid) for axes that the scene does not know or whose ends it refuses.
+/// Maps every method over two axes (see choose_axes()). Cells are run from long steps to short ones, so that it
+/// is the most expensive ones that lack of time leaves out. Throws Fault(invalid) as choose_axes() does.
 StabilityResult study_stability(const StudySettings& settings, const Subject& subject,
                                 const std::vector<AxisText>& axes, const Deadline& deadline);
 

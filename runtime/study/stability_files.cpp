@@ -35,15 +35,15 @@ Axis plot_axis(const MapAxis& axis) {
 
 /// A step and a value of the other axis, as a point of the map.
 PlotPoint at_step(const StabilityResult& result, double step, double other) {
-    return result.step_axis == 0 ? PlotPoint{step, other} : PlotPoint{other, step};
+    return result.axes.step_axis == 0 ? PlotPoint{step, other} : PlotPoint{other, step};
 }
 
 bool within(const Axis& axis, double value) { return value >= axis.low && value <= axis.high; }
 
 void draw_advice(SvgPlot& plot, const StabilityResult& result, const StabilityMap& map) {
     if (map.advised_s.empty()) return;
-    const MapAxis& other = result.step_axis == 0 ? result.y : result.x;
-    const Axis step = plot_axis(result.step_axis == 0 ? result.x : result.y);
+    const MapAxis& other = result.axes.other();
+    const Axis step = plot_axis(result.axes.step_axis == 0 ? result.axes.x : result.axes.y);
     bool crosses = false;
     for (std::size_t i = 1; i < other.values.size(); ++i) {
         if (!within(step, map.advised_s[i - 1]) && !within(step, map.advised_s[i])) continue;
@@ -60,25 +60,25 @@ void draw_advice(SvgPlot& plot, const StabilityResult& result, const StabilityMa
 }
 
 void draw_own_point(SvgPlot& plot, const StabilityResult& result, const StabilityMap& map) {
-    PlotPoint point{result.x.own.value_or(NAN), result.y.own.value_or(NAN)};
-    if (result.step_axis >= 0 && map.own_step_s)
-        point = at_step(result, *map.own_step_s, result.step_axis == 0 ? point.y : point.x);
+    PlotPoint point{result.axes.x.own.value_or(NAN), result.axes.y.own.value_or(NAN)};
+    if (result.axes.step_axis >= 0 && map.own_step_s)
+        point = at_step(result, *map.own_step_s, result.axes.step_axis == 0 ? point.y : point.x);
     if (std::isnan(point.x) || std::isnan(point.y)) return;
-    const bool inside = within(plot_axis(result.x), point.x) && within(plot_axis(result.y), point.y);
+    const bool inside = within(plot_axis(result.axes.x), point.x) && within(plot_axis(result.axes.y), point.y);
     if (!inside) return;
     plot.mark(point, Mark::diamond, "#000000", false, 6);
     plot.legend_mark("the scene as it is", Mark::diamond, "#000000", false);
 }
 
 SvgPlot draw_map(const StabilityResult& result, const StabilityMap& map) {
-    SvgPlot plot(fmt::format("{}, {}", result.scene, map.method), plot_axis(result.x), plot_axis(result.y), 620,
-                 400);
-    const auto x = borders(result.x);
-    const auto y = borders(result.y);
+    SvgPlot plot(fmt::format("{}, {}", result.scene, map.method), plot_axis(result.axes.x),
+                 plot_axis(result.axes.y), 620, 400);
+    const auto x = borders(result.axes.x);
+    const auto y = borders(result.axes.y);
     std::array<bool, kColors.size()> seen{};
     for (std::size_t i = 0; i < map.cells.size(); ++i) {
-        const std::size_t column = i % result.x.values.size();
-        const std::size_t row = i / result.x.values.size();
+        const std::size_t column = i % result.axes.columns();
+        const std::size_t row = i / result.axes.columns();
         const auto kind = static_cast<std::size_t>(map.cells[i]);
         plot.cell({x[column], y[row]}, {x[column + 1], y[row + 1]}, kColors[kind]);
         seen[kind] = true;
@@ -125,11 +125,11 @@ std::string how_to_read(const StabilityResult& result) {
 }  // namespace
 
 std::string stability_csv(const StabilityResult& result) {
-    std::string csv = fmt::format("method,{},{},class\n", result.x.path, result.y.path);
+    std::string csv = fmt::format("method,{},{},class\n", result.axes.x.path, result.axes.y.path);
     for (const StabilityMap& map : result.maps)
         for (std::size_t i = 0; i < map.cells.size(); ++i)
-            csv += fmt::format("{},{},{},{}\n", map.method, result.x.values[i % result.x.values.size()],
-                               result.y.values[i / result.x.values.size()], to_string(map.cells[i]));
+            csv += fmt::format("{},{},{},{}\n", map.method, result.axes.x_of(i), result.axes.y_of(i),
+                               to_string(map.cells[i]));
     return csv;
 }
 
@@ -137,7 +137,7 @@ std::string stability_json(const StabilityResult& result) {
     Json json = {{"scene", result.scene},
                  {"table", result.table},
                  {"duration_s", result.duration_s},
-                 {"axes", {axis_json(result.x), axis_json(result.y)}},
+                 {"axes", {axis_json(result.axes.x), axis_json(result.axes.y)}},
                  {"maps", Json::array()}};
     for (const StabilityMap& map : result.maps) json["maps"].push_back(map_json(map));
     json["sentences"] = result.sentences;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "orbweaver/fault.hpp"
@@ -89,6 +90,12 @@ double Subject::least_tolerance() const {
     for (const OptionSpec& option : manifest_.options)
         if (option.key == spec().tolerance) return std::max(0.0, option.min);
     return 0;
+}
+
+Rung Subject::rung_within(const std::string& method, double longest) const {
+    if (by_tolerance(method)) return {method, 0, std::max(1e-6, least_tolerance())};
+    constexpr double kRounding = 1e-9;  // a third of a frame three times is a frame
+    return rung(method, std::max(1.0, std::ceil(scene_.step / longest * (1 - kRounding))));
 }
 
 std::string Subject::assign(const std::string& option, const std::string& value) const {

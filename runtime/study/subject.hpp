@@ -47,6 +47,9 @@ public:
     std::vector<std::string> overrides(const Rung& rung) const;
     /// A step that divides the scene's frame `count` times.
     Rung rung(const std::string& method, double count) const { return {method, scene_.step / count, 0}; }
+    /// The longest step of at most `longest` (s) that divides a frame; of methods that have none, a tolerance
+    /// of 1 um, or the smallest there is above that.
+    Rung rung_within(const std::string& method, double longest) const;
 
 private:
     void choose(const StudySettings& settings, const Plan& plan);

@@ -175,4 +175,11 @@ Trial run_trial(const StudySettings& settings, const Subject& subject, const Tri
     return trial;
 }
 
+double stable_step(const StudySettings& settings, const Subject& subject, const std::string& method,
+                   const std::vector<std::string>& changes, const Deadline& deadline) {
+    auto overrides = subject.overrides(subject.rung_within(method, subject.scene().step));
+    overrides.insert(overrides.end(), changes.begin(), changes.end());
+    return run_trial(settings, subject, {overrides, 0}, deadline).stable_step_s;
+}
+
 }  // namespace orbweaver::study

@@ -43,5 +43,9 @@ struct TrialPlan {
 /// are invalid and modules that fail, and Fault(limit) when the motion takes more than half a GB.
 Trial run_trial(const StudySettings& settings, const Subject& subject, const TrialPlan& plan,
                 const Deadline& deadline);
+/// The longest step (s) that the module's adviser holds for stable with this method, the scene changed by these
+/// overrides; found by setting it up, without running it.
+double stable_step(const StudySettings& settings, const Subject& subject, const std::string& method,
+                   const std::vector<std::string>& changes, const Deadline& deadline);
 
 }  // namespace orbweaver::study

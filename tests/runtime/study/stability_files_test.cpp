@@ -14,9 +14,9 @@ StabilityResult sample() {
     result.scene = "a <web>";
     result.table = "web";
     result.duration_s = 0.5;
-    result.x = {"web.step", "web", "step", "s", {0.001, 0.002, 0.004}, true, std::nullopt};
-    result.y = {"web.drag", "web", "drag", "N s/m", {0, 1}, false, 0.5};
-    result.step_axis = 0;
+    result.axes.x = {"web.step", "web", "step", "s", {0.001, 0.002, 0.004}, true, std::nullopt};
+    result.axes.y = {"web.drag", "web", "drag", "N s/m", {0, 1}, false, 0.5};
+    result.axes.step_axis = 0;
     result.maps = {{"rk4",
                     {CellClass::stable, CellClass::degraded, CellClass::diverged, CellClass::stable,
                      CellClass::refused, CellClass::unknown},

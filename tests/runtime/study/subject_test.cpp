@@ -23,6 +23,10 @@ TEST_CASE("a subject is the module of the scene that can be studied", "[unit]") 
                                                                            "oscillator.step=0.001"});
     CHECK(subject.overrides({"adaptive", 0, 1e-6}).back() == "oscillator.tolerance=1e-06");
     CHECK(subject.rung("rk4", 4).step == 0.0025);
+    CHECK(subject.rung_within("rk4", 0.004).step == Approx(0.01 / 3));
+    CHECK(subject.rung_within("rk4", 0.01 / 3).step == Approx(0.01 / 3));
+    CHECK(subject.rung_within("rk4", 7).step == 0.01);
+    CHECK(subject.rung_within("adaptive", 7).tolerance == 1e-6);
 }
 
 TEST_CASE("a run is as long as usual unless all of the scene was asked for", "[unit]") {
