@@ -174,6 +174,8 @@ private:
         }
         result_.front = pareto_front(resolved);
         std::vector<std::string> found;
+        if (result_.displacement_m <= kResolved * result_.uncertainty_m)
+            found.emplace_back("nothing moves in this scene: only runs that break its rest have an error");
         for (const int decade : decades(resolved))
             if (const auto best = cheapest_within(certain, std::pow(10, decade)))
                 found.push_back(fmt::format("within 1e{} m: {}, {:.2g} s", decade,

@@ -88,7 +88,7 @@ SvgPlot error_plot(const AccuracyResult& result) {
 SvgPlot conditioning_plot(const Conditioning& conditioning) {
     SvgPlot plot("Distance of a twin that began 1e-10 m away",
                  axis_around("time / s", conditioning.time_s, false),
-                 axis_around("distance / m", conditioning.deviation_m, true), 760, 300);
+                 axis_around("distance / m", conditioning.deviation_m, true), 790, 300);
     std::vector<PlotPoint> line;
     for (std::size_t i = 0; i < conditioning.time_s.size(); ++i)
         line.push_back({conditioning.time_s[i], conditioning.deviation_m[i]});

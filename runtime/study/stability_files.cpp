@@ -72,7 +72,7 @@ void draw_own_point(SvgPlot& plot, const StabilityResult& result, const Stabilit
 
 SvgPlot draw_map(const StabilityResult& result, const StabilityMap& map) {
     SvgPlot plot(fmt::format("{}, {}", result.scene, map.method), plot_axis(result.axes.x),
-                 plot_axis(result.axes.y), 620, 400);
+                 plot_axis(result.axes.y), 650, 400);
     const auto x = borders(result.axes.x);
     const auto y = borders(result.axes.y);
     std::array<bool, kColors.size()> seen{};

@@ -42,6 +42,9 @@ Subject::Subject(const StudySettings& settings) : full_duration_(settings.full_d
     const PlannedScene planned = plan_scene(settings.run);
     if (!planned.plan.faults.empty()) refuse(all_sentences(planned.plan.faults));
     scene_ = planned.plan.scene;
+    if (!(scene_.duration > 0))
+        refuse(fmt::format("{}: it lasts {} s, in which there is nothing to study; expected a duration above 0",
+                           settings.run.scene_path, scene_.duration));
     choose(settings, planned.plan);
     choose_methods(settings);
 }

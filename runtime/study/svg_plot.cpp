@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLeft = 72;
 constexpr double kTop = 34;
-constexpr double kRight = 190;  // room for the legend
+constexpr double kRight = 220;  // room for the legend
 constexpr double kBottom = 52;
 
 double place(const Axis& axis, double value) {

@@ -37,7 +37,7 @@ Mark mark_of(std::size_t n);
 /// A plot with two axes, as SVG. Values beyond an axis are drawn at its end; what is not a number is left out.
 class SvgPlot {
 public:
-    SvgPlot(std::string title, Axis x, Axis y, double width = 760, double height = 480);
+    SvgPlot(std::string title, Axis x, Axis y, double width = 790, double height = 480);
 
     void line(std::span<const PlotPoint> points, const std::string& color, bool dashed = false,
               double width = 1.6);

@@ -111,6 +111,15 @@ TEST_CASE("errors are measured up to the horizon only", "[unit]") {
     }
 }
 
+TEST_CASE("where nothing moves it is said that there is nothing to compare", "[extreme]") {
+    OscillatorScene scene("amplitude = 0\nbystander = 0");
+    const AccuracyResult result = studied(scene);
+    CHECK(result.displacement_m == 0);
+    CHECK(result.front.size() <= 1);
+    REQUIRE(result.sentences.size() == 1);
+    CHECK_THAT(result.sentences[0], Catch::StartsWith("nothing moves"));
+}
+
 TEST_CASE("a study ends within its time, or says that it was too short", "[extreme]") {
     OscillatorScene scene("delay = 0.005");  // 0.1 s a run
     const Subject subject(scene.settings);

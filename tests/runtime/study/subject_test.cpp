@@ -56,6 +56,11 @@ TEST_CASE("what cannot be studied is refused in words", "[extreme]") {
               ": no module of this scene can be studied; expected a table whose module's manifest has [study], "
               "such as [web]");
 
+    scene.folder.write("scene.toml", "[scene]\nduration = 0\n[oscillator]\n");
+    scene.settings.run.module_directories = {fixture("oscillator")};
+    CHECK(fault_of([&] { Subject{scene.settings}; }) ==
+          path + ": it lasts 0 s, in which there is nothing to study; expected a duration above 0");
+
     scene.folder.write("scene.toml", "[oscillator]\n");
     scene.settings.run.module_directories = {fixture("oscillator")};
     scene.settings.table = "web";

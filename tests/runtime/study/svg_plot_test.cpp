@@ -37,7 +37,7 @@ TEST_CASE("an axis holds all values that can be shown and is never empty", "[uni
 }
 
 TEST_CASE("values lie where the axes put them", "[unit]") {
-    SvgPlot plot("t", {"x", 1, 100, true}, {"y", 0, 10, false}, 462, 286);  // 200 by 200 inside
+    SvgPlot plot("t", {"x", 1, 100, true}, {"y", 0, 10, false}, 492, 286);  // 200 by 200 inside
     plot.mark({10, 5}, Mark::circle, "#123456");
     CHECK_THAT(plot.elements(), Catch::Contains("<circle cx=\"172.0\" cy=\"134.0\""));
     plot.cell({1, 0}, {10, 5}, "#abcdef");
@@ -47,7 +47,7 @@ TEST_CASE("values lie where the axes put them", "[unit]") {
 }
 
 TEST_CASE("what is no number is left out, what is too far is drawn at the end", "[extreme]") {
-    SvgPlot plot("t", {"x", 1, 100, true}, {"y", 0, 10, false}, 462, 286);
+    SvgPlot plot("t", {"x", 1, 100, true}, {"y", 0, 10, false}, 492, 286);
     const std::size_t before = plot.elements().size();
     plot.mark({std::nan(""), 5}, Mark::square, "#123456");
     plot.mark({-1, 5}, Mark::square, "#123456");
