@@ -116,7 +116,7 @@ private:
     std::vector<std::string> studied_methods() const {
         std::vector<std::string> all;
         for (const std::string& method : subject_.methods()) {
-            const bool skipped = result_.axes.step_axis >= 0 && subject_.by_tolerance(method);
+            const bool skipped = result_.axes.step_axis >= 0 && !subject_.by_step(method);
             if (!skipped) all.push_back(method);
         }
         return all;

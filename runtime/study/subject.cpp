@@ -72,7 +72,8 @@ void Subject::choose(const StudySettings& settings, const Plan& plan) {
 
 void Subject::choose_methods(const StudySettings& settings) {
     std::vector<std::string> known = spec().steps;
-    known.insert(known.end(), spec().tolerances.begin(), spec().tolerances.end());
+    for (const std::string& method : spec().tolerances)
+        if (!contains(known, method)) known.push_back(method);
     for (const std::string& method : settings.methods) {
         if (contains(known, method)) continue;
         const std::string nearest = nearest_name(method, known);
@@ -89,6 +90,8 @@ double Subject::duration(double usual) const noexcept {
 
 bool Subject::by_tolerance(const std::string& method) const { return contains(spec().tolerances, method); }
 
+bool Subject::by_step(const std::string& method) const { return contains(spec().steps, method); }
+
 double Subject::least_tolerance() const {
     for (const OptionSpec& option : manifest_.options)
         if (option.key == spec().tolerance) return std::max(0.0, option.min);
@@ -96,7 +99,7 @@ double Subject::least_tolerance() const {
 }
 
 Rung Subject::rung_within(const std::string& method, double longest) const {
-    if (by_tolerance(method)) return {method, 0, std::max(1e-6, least_tolerance())};
+    if (!by_step(method)) return {method, 0, std::max(1e-6, least_tolerance())};
     constexpr double kRounding = 1e-9;  // a third of a frame three times is a frame
     return rung(method, std::max(1.0, std::ceil(scene_.step / longest * (1 - kRounding))));
 }

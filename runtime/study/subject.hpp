@@ -36,7 +36,9 @@ public:
     double duration(double usual) const noexcept;
     /// Those asked for, else all, in the manifest's order.
     const std::vector<std::string>& methods() const noexcept { return methods_; }
+    /// A method may be set by either; its accuracy is then studied by tolerances.
     bool by_tolerance(const std::string& method) const;
+    bool by_step(const std::string& method) const;
     /// The smallest tolerance that the option allows, m; 0 when it names none.
     double least_tolerance() const;
 

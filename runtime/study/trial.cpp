@@ -164,6 +164,9 @@ Trial run_trial(const StudySettings& settings, const Subject& subject, const Tri
     const auto start = Deadline::Clock::now();
     const QuietLog quiet;
     RunSettings run = settings.run;
+    // Methods that are set by their step refuse the scene's tolerance.
+    if (!subject.spec().tolerance.empty())
+        run.removals.push_back(subject.table() + "." + subject.spec().tolerance);
     run.overrides.insert(run.overrides.end(), plan.overrides.begin(), plan.overrides.end());
     run.overrides.push_back(fmt::format("scene.duration={}", plan.duration));
     const PlannedScene planned = plan_scene(run);

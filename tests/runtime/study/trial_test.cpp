@@ -29,6 +29,18 @@ TEST_CASE("a trial gives the motion, its cost and what the module says of itself
     CHECK(trial.motion.row(20)[1].x == Approx(0.1 * std::cos(2.0)).margin(1e-13));
 }
 
+TEST_CASE("the scene's own tolerance is left out unless the study asks for one", "[unit]") {
+    OscillatorScene scene("tolerance = 0.04");
+    const Subject subject(scene.settings);
+    const auto steps = [&](const Rung& rung) {
+        return run_trial(scene.settings, subject, {subject.overrides(rung), 0.01}, scene.deadline).steps;
+    };
+    // sqrt(sqrt(tolerance))/omega: by default, 1 um, 3.2 ms; at 0.1 nm, 0.32 ms; at the scene's 0.04 m, a
+    // frame.
+    CHECK(steps({"adaptive", 0, 0}) == 4);
+    CHECK(steps({"adaptive", 0, 1e-10}) == 32);
+}
+
 TEST_CASE("several instances are watched as one body", "[unit]") {
     OscillatorScene scene;
     scene.folder.write("scene.toml",
