@@ -25,9 +25,8 @@ std::optional<Motion> extrapolate(const Motion& coarse, const Motion& fine, doub
 std::vector<Rung> ladder(const Subject& subject, const std::string& method, double coarsest, int count) {
     std::vector<Rung> rungs;
     if (subject.by_tolerance(method)) {
-        constexpr double kLoosest = 1e-3;  // m
         for (int i = 0; i < count; ++i) {
-            const double tolerance = kLoosest * std::pow(10, -i);
+            const double tolerance = 1 / std::pow(10, i + 3);  // m, nearest to the decimal
             if (tolerance >= subject.least_tolerance() * (1 - 1e-9)) rungs.push_back({method, 0, tolerance});
         }
         return rungs;
