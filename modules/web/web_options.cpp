@@ -75,6 +75,15 @@ std::optional<Web> build_orb(const Options& options, const Vec3& gravity, const 
     return web;
 }
 
+/// What studies vary: the web as built, made stiffer, heavier or more damped as a whole.
+void scale(mass_spring::Network& network, const Options& options) {
+    for (double& mass : network.mass) mass *= options.number("mass_scale");
+    for (mass_spring::Spring& spring : network.springs) {
+        spring.stiffness *= options.number("stiffness_scale");
+        spring.damping *= options.number("damping_scale");
+    }
+}
+
 /// Extreme lengths, masses or tensions can leave the range of doubles: such a web must not start to move.
 bool check_sound(const Web& web, Diagnostics& faults) {
     const auto found = mass_spring::validate(web.network, web.layout.positions);
@@ -163,6 +172,7 @@ std::optional<Web> build_web(const Options& options, const Vec3& gravity, const 
         web = build_orb(options, gravity, irregularity, faults);
     place(faults, first, options.where(source));
     const std::size_t built = faults.size();
+    if (web) scale(web->network, options);
     if (web && !check_sound(*web, faults)) web.reset();
     place(faults, built, options.where(options.has("network") ? "network" : "particle_mass"));
     return web;

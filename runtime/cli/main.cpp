@@ -1,21 +1,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <filesystem>
-#include <functional>
 #include <map>
-#include <optional>
 #include <string>
 
 #include "cli/modules_command.hpp"
 #include "cli/picture_size.hpp"
 #include "cli/program.hpp"
+#include "cli/scene_arguments.hpp"
+#include "cli/study_command.hpp"
 #include "orbweaver/build_stamp.hpp"
 #include "orbweaver/fault.hpp"
 #include "run/run_scene.hpp"
-#include "scene/overrides.hpp"
-#include "scene/units.hpp"
 
 namespace {
 
@@ -26,57 +23,17 @@ constexpr int kUsage = 2;
 /// The command line as typed, before it becomes settings.
 struct CommandLine {
     RunSettings settings;
-    std::string duration;
-    std::string step;
-    std::string seed;
+    SceneArguments scene;
     std::string size;
     bool headless = false;
     bool json = false;
     std::string module_name;
 };
 
-/// What is typed must be right, also when it is nothing.
-std::function<std::string(const std::string&)> checked(std::function<bool(const std::string&)> is_right,
-                                                       const char* what) {
-    return [is_right = std::move(is_right), what](const std::string& text) {
-        return is_right(text) ? std::string() : fmt::format("'{}' is not {}", text, what);
-    };
-}
-
-template <class Number>
-std::optional<Number> parse_number(const std::string& text) {
-    Number number{};
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, number);
-    return error == std::errc() && rest == end ? std::optional(number) : std::nullopt;
-}
-
-bool is_seed(const std::string& text) { return parse_number<std::uint64_t>(text).has_value(); }
-
 // Not a number is no rate: it compares false.
 bool is_rate(const std::string& text) {
     const auto rate = parse_number<double>(text);
     return rate && *rate >= 0.001 && *rate <= 1e6;
-}
-
-void add_scene_options(CLI::App& command, CommandLine& line) {
-    command.add_option("SCENE", line.settings.scene_path, "the scene, a TOML file")->required();
-    command
-        .add_option("--set", line.settings.overrides,
-                    "override a value of the scene: path.to.key=value; repeatable")
-        ->allow_extra_args(false)
-        ->check(checked(is_assignment, "an override; expected path.to.key=value"));
-    const auto time = checked([](const std::string& text) { return parse_quantity(text).has_value(); },
-                              "a time; expected seconds or a text such as \"20 s\"");
-    command.add_option("--duration", line.duration, "how long, in seconds or with a unit (\"20 s\")")
-        ->check(time);
-    command.add_option("--step", line.step, "one frame, in seconds or with a unit (\"1/60 s\")")->check(time);
-    command.add_option("--seed", line.seed, "seed of every random stream")
-        ->check(checked(is_seed, "a seed; expected a whole number from 0 on"));
-    command
-        .add_option("--modules", line.settings.module_directories,
-                    "search this folder for modules first; repeatable")
-        ->allow_extra_args(false);
 }
 
 void add_request_options(CLI::App& command, CommandLine& line) {
@@ -104,14 +61,6 @@ void add_run_options(CLI::App& command, CommandLine& line) {
                        "write the last good state, for --restore-state");
     command.add_option("--restore-state", settings.restore_state_file, "go on from a saved state");
     command.add_flag("--quiet", settings.quiet, "no progress, no closing lines");
-}
-
-// A shorthand for --set scene.KEY=VALUE: numbers stay numbers, everything else is text.
-void add_shorthand(CommandLine& line, const char* key, const std::string& value) {
-    if (value.empty()) return;
-    const bool bare = value.find_first_not_of("0123456789.+-eE") == std::string::npos;
-    line.settings.overrides.push_back(bare ? fmt::format("scene.{}={}", key, value)
-                                           : fmt::format("scene.{}=\"{}\"", key, value));
 }
 
 // Two files of one name would overwrite each other.
@@ -147,10 +96,8 @@ void complete(CommandLine& line) {
         request.width = size->width;
         request.height = size->height;
     }
-    add_shorthand(line, "duration", line.duration);
-    add_shorthand(line, "step", line.step);
-    add_shorthand(line, "seed", line.seed);
-    line.settings.endless = request.window && line.duration.empty();
+    line.scene.complete(line.settings);
+    line.settings.endless = request.window && line.scene.duration.empty();
     check_outputs(line.settings);
 }
 
@@ -166,16 +113,17 @@ int command_line(int argc, char** argv) {
     app.require_subcommand(1);
     CommandLine line;
     auto* run = app.add_subcommand("run", "run a scene");
-    add_scene_options(*run, line);
+    line.scene.add_to(*run, line.settings);
     add_request_options(*run, line);
     add_run_options(*run, line);
     auto* plan = app.add_subcommand(
         "plan", "what a run would load, why, and what it would leave out; runs no module code");
-    add_scene_options(*plan, line);
+    line.scene.add_to(*plan, line.settings);
     add_request_options(*plan, line);
     plan->add_flag("--json", line.json, "for a program to read");
     auto* check = app.add_subcommand("check", "find every fault of a scene, without running it");
-    add_scene_options(*check, line);
+    line.scene.add_to(*check, line.settings);
+    StudyCommand study(app);
     auto* modules = app.add_subcommand("modules", "the modules found, and what their options mean");
     modules->add_option("NAME", line.module_name, "show one module in full");
     modules->add_option("--modules", line.settings.module_directories, "search this folder first; repeatable")
@@ -183,12 +131,14 @@ int command_line(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         complete(line);
+        study.complete();
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : kUsage;
     }
     if (run->parsed()) return run_scene(line.settings);
     if (plan->parsed()) return print_plan(line);
     if (check->parsed()) return check_scene(line.settings);
+    if (study.parsed()) return study.run();
     return print_modules(read_catalog(module_directories(line.settings.module_directories)), line.module_name);
 }
 

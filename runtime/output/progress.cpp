@@ -9,12 +9,13 @@
 namespace orbweaver {
 
 Progress::Progress(std::string what, std::uint64_t first, std::uint64_t total, double seconds_per_unit,
-                   bool quiet)
+                   bool quiet, std::string unit)
     : what_(std::move(what)),
       first_(first),
       total_(total),
       seconds_per_unit_(seconds_per_unit),
       quiet_(quiet),
+      unit_(std::move(unit)),
       terminal_(::isatty(STDERR_FILENO) == 1),
       start_(Clock::now()),
       shown_(start_) {}
@@ -38,8 +39,9 @@ void Progress::show(std::uint64_t done, double elapsed) const {
     const auto here = static_cast<double>(done - first_);
     const double factor = elapsed > 0 ? here * seconds_per_unit_ / elapsed : 0;
     const double left = done > first_ ? elapsed / here * static_cast<double>(total_ - done) : 0;
+    const std::string pace = seconds_per_unit_ > 0 ? fmt::format("{:.3g} x real time, ", factor) : "";
     const std::string figures =
-        fmt::format("{} {}/{} frames, {:.3g} x real time, {:.0f} s left", what_, done, total_, factor, left);
+        fmt::format("{} {}/{} {}, {}{:.0f} s left", what_, done, total_, unit_, pace, left);
     if (terminal_) {
         constexpr int kWidth = 24;
         const int filled = std::clamp(static_cast<int>(part * kWidth), 0, kWidth);

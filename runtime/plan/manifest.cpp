@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "orbweaver/fault.hpp"
-#include "scene/nearest_name.hpp"
+#include "plan/table_reader.hpp"
 #include "scene/toml_reader.hpp"
 #include "scene/units.hpp"
 
@@ -23,66 +23,6 @@ constexpr std::array<std::string_view, 10> kTypeNames = {"boolean", "integer", "
                                                          "vector",  "vectors", "numbers", "file", "preset"};
 constexpr std::array<std::string_view, 6> kWhenNames = {"",       "pictures",  "offscreen",
                                                         "window", "recording", "threads"};
-
-/// Takes the members of one table by name and type, and reports what is wrong or left over.
-class TableReader {
-public:
-    TableReader(const Node& node, Diagnostics& faults) : node_(node), faults_(faults) {}
-
-    const Node* take(const std::string& key) {
-        known_.push_back(key);
-        return find(*node_.table(), key);
-    }
-    template <class T>
-    void take(const std::string& key, T& into, const char* expected) {
-        const Node* node = take(key);
-        if (node == nullptr) return;
-        if (const T* value = std::get_if<T>(&node->value))
-            into = *value;
-        else
-            wrong(*node, key, expected);
-    }
-    void take(const std::string& key, std::vector<std::string>& into) {
-        const Node* node = take(key);
-        if (node == nullptr) return;
-        const Array* array = node->array();
-        if (array == nullptr) return wrong(*node, key, "an array of texts");
-        for (const Node& element : *array) {
-            if (const auto* text = std::get_if<std::string>(&element.value))
-                into.push_back(*text);
-            else
-                wrong(element, key, "a text");
-        }
-    }
-    bool take_number(const std::string& key, double& into) {
-        const Node* node = take(key);
-        if (node == nullptr) return false;
-        if (const auto* number = std::get_if<double>(&node->value))
-            into = *number;
-        else if (const auto* integer = std::get_if<std::int64_t>(&node->value))
-            into = static_cast<double>(*integer);
-        else
-            wrong(*node, key, "a number");
-        return true;
-    }
-    void wrong(const Node& node, const std::string& key, const std::string& expected) {
-        faults_.push_back({node.where, fmt::format("'{}' is {}", key, show(node)), expected, ""});
-    }
-    void missing(const std::string& key) {
-        faults_.push_back({node_.where, fmt::format("'{}' is missing", key), "a text", ""});
-    }
-    void finish() {
-        for (const Member& member : *node_.table())
-            if (std::find(known_.begin(), known_.end(), member.key) == known_.end())
-                faults_.push_back({member.where, fmt::format("a manifest has no key '{}'", member.key),
-                                   join_names(known_), ""});
-    }
-
-private:
-    const Node& node_;
-    Diagnostics& faults_;
-    std::vector<std::string> known_;
-};
 
 template <std::size_t N>
 std::optional<std::size_t> index_of(const std::array<std::string_view, N>& names, std::string_view name) {
@@ -100,31 +40,31 @@ OptionSpec read_option(const std::string& key, const Node& node, Diagnostics& fa
     }
     TableReader reader(node, faults);
     std::string type;
-    reader.take("type", type, "a text");
+    reader.take("type", type);
     if (const auto index = index_of(kTypeNames, type))
         spec.type = static_cast<OptionType>(*index);
     else
         faults.push_back({node.where, fmt::format("option '{}' has no type '{}'", key, type),
                           fmt::format("one of {}", fmt::join(kTypeNames, ", ")), ""});
-    reader.take("unit", spec.unit, "a text");
+    reader.take("unit", spec.unit);
     if (!parse_unit(spec.unit))
         faults.push_back(
             {node.where, fmt::format("option '{}' has the unknown unit '{}'", key, spec.unit), "", ""});
     if (const Node* value = reader.take("default")) spec.default_value = *value;
-    reader.take("required", spec.required, "a boolean");
+    reader.take("required", spec.required);
     reader.take_number("min", spec.min);
     reader.take_number("max", spec.max);
     spec.above_min = reader.take_number("above", spec.min);
     spec.below_max = reader.take_number("below", spec.max);
     std::int64_t length = 0;
-    reader.take("length", length, "an integer");
+    reader.take("length", length);
     if (length < 0)
         faults.push_back(
             {node.where, fmt::format("option '{}' has a length of {}", key, length), "a count", ""});
     spec.length = static_cast<std::size_t>(length);
     reader.take("choices", spec.choices);
-    reader.take("folder", spec.folder, "a text");
-    reader.take("meaning", spec.meaning, "a text");
+    reader.take("folder", spec.folder);
+    reader.take("meaning", spec.meaning);
     if (spec.meaning.empty()) reader.missing("meaning");
     reader.finish();
     return spec;
@@ -178,12 +118,12 @@ std::optional<Manifest> parse_manifest(const std::string& text, const std::strin
         return std::nullopt;
     }
     TableReader reader(root, faults);
-    reader.take("id", manifest.id, "a text");
-    reader.take("version", manifest.version, "a text");
-    reader.take("summary", manifest.summary, "a text");
-    reader.take("table", manifest.table, "a text");
-    reader.take("several", manifest.several, "a boolean");
-    reader.take("when", manifest.when, "a text");
+    reader.take("id", manifest.id);
+    reader.take("version", manifest.version);
+    reader.take("summary", manifest.summary);
+    reader.take("table", manifest.table);
+    reader.take("several", manifest.several);
+    reader.take("when", manifest.when);
     reader.take("provides", manifest.provides);
     reader.take("needs", manifest.needs);
     reader.take("uses", manifest.uses);
@@ -197,6 +137,7 @@ std::optional<Manifest> parse_manifest(const std::string& text, const std::strin
                           fmt::format("one of {}", fmt::join(kWhenNames.begin() + 1, kWhenNames.end(), ", ")),
                           ""});
     read_options(reader, manifest, faults);
+    if (const Node* study = reader.take("study")) manifest.study = read_study(*study, manifest.options, faults);
     reader.finish();
     if (faults.size() > before) return std::nullopt;
     return manifest;

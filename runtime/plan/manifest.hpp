@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,39 +7,10 @@
 
 #include "orbweaver/diagnostic.hpp"
 #include "orbweaver/module.hpp"
-#include "scene/node.hpp"
+#include "plan/option_spec.hpp"
+#include "plan/study_spec.hpp"
 
 namespace orbweaver {
-
-enum class OptionType : std::uint8_t {
-    boolean,
-    integer,
-    number,
-    text,
-    choice,
-    vector,
-    vectors,
-    numbers,
-    file,
-    preset
-};
-
-/// One option of a module, as its manifest declares it.
-struct OptionSpec {
-    std::string key;  ///< dotted when it lies in a nested table
-    OptionType type = OptionType::text;
-    std::string unit = "1";
-    std::optional<Node> default_value;
-    bool required = false;
-    double min = -std::numeric_limits<double>::infinity();
-    double max = std::numeric_limits<double>::infinity();
-    bool above_min = false;  ///< min itself is out of range
-    bool below_max = false;  ///< max itself is out of range
-    std::size_t length = 0;  ///< of numbers; 0: any
-    std::vector<std::string> choices;
-    std::string folder;  ///< of a preset, below assets/
-    std::string meaning;
-};
 
 /// What a module says of itself without any of its code having run.
 struct Manifest {
@@ -60,6 +30,7 @@ struct Manifest {
     std::vector<Phase> phases;
     std::vector<std::string> libraries;
     std::vector<OptionSpec> options;
+    std::optional<StudySpec> study;  ///< how its error and stability can be studied
 };
 
 /// Reads a manifest; appends every fault to `faults` and returns nothing if there was one.
@@ -67,8 +38,5 @@ std::optional<Manifest> read_manifest(const std::string& path, Diagnostics& faul
 std::optional<Manifest> parse_manifest(const std::string& text, const std::string& name, Diagnostics& faults);
 
 std::string_view to_string(Phase phase) noexcept;
-std::string_view to_string(OptionType type) noexcept;
-/// "in [0, 1]", "above 0": the range in words; empty when there is none.
-std::string range_text(const OptionSpec& spec);
 
 }  // namespace orbweaver

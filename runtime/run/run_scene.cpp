@@ -189,6 +189,7 @@ private:
 
 PlannedScene plan_scene(const RunSettings& settings) {
     Node scene = read_toml_file(settings.scene_path);
+    for (const std::string& path : settings.removals) remove_value(scene, path);
     for (const std::string& assignment : settings.overrides) apply_override(scene, assignment);
     PlannedScene planned;
     planned.catalog = read_catalog(module_directories(settings.module_directories));

@@ -14,6 +14,7 @@ namespace orbweaver {
 struct RunSettings {
     std::string scene_path;
     std::vector<std::string> overrides;  ///< "path.to.key=value"
+    std::vector<std::string> removals;   ///< "path.to.key", taken out of the scene before that
     std::vector<std::string> module_directories;
     Request request;
     bool endless = false;  ///< a window without a duration of its own runs until it is closed

@@ -99,4 +99,17 @@ void apply_override(Node& scene, const std::string& assignment) {
     set_value(scene, path, value);
 }
 
+void remove_value(Node& scene, std::string_view path) {
+    if (Array* array = scene.array())
+        for (Node& element : *array) remove_value(element, path);
+    Table* table = scene.table();
+    if (table == nullptr) return;
+    const auto dot = path.find('.');
+    const std::string_view key = path.substr(0, dot);
+    if (dot == std::string_view::npos)
+        std::erase_if(*table, [&](const Member& member) { return member.key == key; });
+    else if (Node* child = find(*table, key))
+        remove_value(*child, path.substr(dot + 1));
+}
+
 }  // namespace orbweaver

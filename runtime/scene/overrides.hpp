@@ -18,4 +18,8 @@ void apply_override(Node& scene, const std::string& assignment);
 /// Puts a value at a dotted path, as apply_override does; `where` is what diagnostics will call it.
 void set_value(Node& scene, const std::string& path, const Node& value);
 
+/// Takes the value at a dotted path out of a scene, in every table of an array on the way; nothing happens
+/// where there is none.
+void remove_value(Node& scene, std::string_view path);
+
 }  // namespace orbweaver

@@ -96,6 +96,27 @@ TEST_CASE("springs are damped as asked, else as suits the way the web is made ta
     CHECK(damping("damping = \"2e-7 N s/m\"") == 2e-7);
 }
 
+TEST_CASE("scales multiply what was built and leave its shape", "[unit]") {
+    for (const std::string& table :
+         {kAnchors, std::string("network = \"../networks/diamond.json\"\n"),
+          std::string("strand = { from = [0, 0, 0], to = [0.2, 0, 0] }\ndamping = 1e-6\n")}) {
+        INFO(table);
+        Diagnostics faults;
+        const auto plain = build(table, faults);
+        const auto scaled = build(table + "stiffness_scale = 4\nmass_scale = 0.5\ndamping_scale = 8\n", faults);
+        REQUIRE(plain);
+        REQUIRE(scaled);
+        CHECK(scaled->layout.positions == plain->layout.positions);
+        for (std::size_t i = 0; i < plain->network.size(); ++i)
+            CHECK(scaled->network.mass[i] == 0.5 * plain->network.mass[i]);
+        for (std::size_t i = 0; i < plain->network.springs.size(); ++i) {
+            CHECK(scaled->network.springs[i].rest_length == plain->network.springs[i].rest_length);
+            CHECK(scaled->network.springs[i].stiffness == 4 * plain->network.springs[i].stiffness);
+            CHECK(scaled->network.springs[i].damping == 8 * plain->network.springs[i].damping);
+        }
+    }
+}
+
 TEST_CASE("a web beyond the range of doubles is refused before it moves", "[extreme]") {
     Diagnostics faults;
     CHECK_FALSE(build(kAnchors + "axial_stiffness = { radius = 1e-314 }", faults));

@@ -40,6 +40,14 @@ std::string written(Call&& call) {
 
 }  // namespace
 
+TEST_CASE("units of another kind are named, and not compared with real time", "[unit]") {
+    const std::string text = written([] {
+        Progress progress("study", 0, 3, 0, false, "runs");
+        progress.update(3);
+    });
+    CHECK(text == "study 3/3 runs, 0 s left\n");
+}
+
 TEST_CASE("away from a terminal progress is plain lines, the last one when all is done", "[unit]") {
     const std::string text = written([] {
         Progress progress("meadow", 0, 100, 0.1, false);

@@ -107,7 +107,7 @@ TEST_CASE("a manifest that is wrong says where and how", "[extreme]") {
          "id = \"a\"\nversion = \"1\"\ncolour = 3\n",
          {"m.toml:3:1: a manifest has no key 'colour'; expected id, version, summary, table, several, when, "
           "provides, "
-          "needs, uses, collects, libraries, phases or options"}},
+          "needs, uses, collects, libraries, phases, options or study"}},
         {"options no table",
          "id = \"a\"\nversion = \"1\"\noptions = 3\n",
          {"m.toml:3:11: 'options' is 3; expected a table"}},

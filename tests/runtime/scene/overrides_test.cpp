@@ -106,3 +106,15 @@ TEST_CASE("an assignment has an equals sign and a path without empty keys", "[un
     for (const char* bad : {"", "foo", "=1", ".web=1", "web.=1", "a..b=1", "a.b"})
         CHECK_FALSE(is_assignment(bad));
 }
+
+TEST_CASE("a value is taken out wherever its path leads, and nothing else", "[unit]") {
+    Node scene = read_toml_text("a = 1\n[[web]]\nx = 1\ny = 2\n[[web]]\nx.z = 3\n", "s.toml");
+    remove_value(scene, "web.x");
+    remove_value(scene, "web.none.of.these");
+    remove_value(scene, "a.b");
+    CHECK(find(*scene.table(), "a") != nullptr);
+    const Array& webs = *find(*scene.table(), "web")->array();
+    CHECK(find(*webs[0].table(), "x") == nullptr);
+    CHECK(find(*webs[0].table(), "y") != nullptr);
+    CHECK(webs[1].table()->empty());
+}

@@ -47,9 +47,10 @@ public:
     }
 
     /// The names in the folder, sorted.
-    std::vector<std::string> names() const {
+    std::vector<std::string> names() const { return names_in(path_); }
+    static std::vector<std::string> names_in(const std::string& path) {
         std::vector<std::string> found;
-        for (const auto& entry : std::filesystem::directory_iterator(path_))
+        for (const auto& entry : std::filesystem::directory_iterator(path))
             found.push_back(entry.path().filename().string());
         std::sort(found.begin(), found.end());
         return found;

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/node.hpp"
+
+namespace orbweaver {
+
+enum class OptionType : std::uint8_t {
+    boolean,
+    integer,
+    number,
+    text,
+    choice,
+    vector,
+    vectors,
+    numbers,
+    file,
+    preset
+};
+
+/// One option of a module, as its manifest declares it.
+struct OptionSpec {
+    std::string key;  ///< dotted when it lies in a nested table
+    OptionType type = OptionType::text;
+    std::string unit = "1";
+    std::optional<Node> default_value;
+    bool required = false;
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
+    bool above_min = false;  ///< min itself is out of range
+    bool below_max = false;  ///< max itself is out of range
+    std::size_t length = 0;  ///< of numbers; 0: any
+    std::vector<std::string> choices;
+    std::string folder;  ///< of a preset, below assets/
+    std::string meaning;
+};
+
+std::string_view to_string(OptionType type) noexcept;
+/// "in [0, 1]", "above 0": the range in words; empty when there is none.
+std::string range_text(const OptionSpec& spec);
+
+}  // namespace orbweaver

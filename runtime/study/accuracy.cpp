@@ -1,0 +1,201 @@
+#include "study/accuracy.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "orbweaver/fault.hpp"
+#include "output/progress.hpp"
+#include "study/pareto.hpp"
+#include "study/refinement.hpp"
+
+namespace orbweaver::study {
+
+namespace {
+
+constexpr int kRungs = 9;
+constexpr int kReferenceRungs = 13;
+constexpr double kResolved = 3;  // times the reference's uncertainty: below, an error says nothing
+constexpr double kReferenceShare = 0.2;
+
+class AccuracyStudy {
+public:
+    AccuracyStudy(const StudySettings& settings, const Subject& subject, const Deadline& deadline)
+        : settings_(settings), subject_(subject), deadline_(deadline) {
+        result_.scene = subject.scene().name;
+        result_.table = subject.table();
+        result_.frame_s = subject.scene().step;
+        result_.duration_s = subject.duration(kUsualDuration);
+    }
+
+    AccuracyResult run() {
+        stable_reference_ = stable_step(subject_.spec().references[0]);
+        find_horizon();
+        find_reference();
+        run_ladders();
+        conclude();
+        return std::move(result_);
+    }
+
+private:
+    double stable_step(const std::string& method) const {
+        return study::stable_step(settings_, subject_, method, {}, deadline_);
+    }
+
+    std::vector<Rung> reference_rungs(const std::string& method) const {
+        const double stable = std::min(stable_step(method), subject_.scene().step);
+        return ladder(subject_, method, (stable > 0 ? stable : stable_reference_) / 2, kReferenceRungs);
+    }
+
+    [[noreturn]] void give_up(const std::string& method, const Trial& trial) const {
+        if (deadline_.interrupted()) throw Fault(FaultKind::limit, "interrupted before there was a reference");
+        if (trial.ending == Ending::timeout)
+            throw Fault(FaultKind::limit,
+                        fmt::format("{} did not get through {} in its part of --time {:g}; "
+                                    "give more, or shorten --duration",
+                                    method, seconds_text(result_.duration_s), settings_.time));
+        throw Fault(FaultKind::diverged,
+                    fmt::format("there is no reference: {} did not get through: {}", method, trial.message));
+    }
+
+    // Equal steps part twins by nothing of their own; adaptive ones would, by about their tolerance.
+    Rung twin_rung() const {
+        const auto& methods = subject_.spec().references;
+        for (const std::string& method : methods)
+            if (!subject_.by_tolerance(method)) return reference_rungs(method).front();
+        return reference_rungs(methods[0]).back();
+    }
+
+    void find_horizon() {
+        const Rung rung = twin_rung();
+        const std::string& method = rung.method;
+        const Deadline share = deadline_.share(kReferenceShare);
+        TrialPlan plan{subject_.overrides(rung), result_.duration_s};
+        const Trial trial = run_trial(settings_, subject_, plan, share);
+        if (trial.ending != Ending::done) give_up(method, trial);
+        plan.offsets = free_offsets(settings_, subject_, rung, kDisplacement, share);
+        const Trial twin = run_trial(settings_, subject_, plan, share);
+        if (twin.ending != Ending::done) give_up(method, twin);
+        result_.conditioning = judge(trial.motion, twin.motion);
+        result_.particles = trial.motion.particles;
+    }
+
+    Refined refined(const std::string& method) const {
+        const auto rungs = reference_rungs(method);
+        auto found = refine(settings_, subject_, rungs, result_.duration_s, result_.conditioning.horizon_rows,
+                            deadline_.share(kReferenceShare));
+        if (found) return std::move(*found);
+        Trial none;
+        none.ending = Ending::timeout;
+        give_up(method, none);
+    }
+
+    void find_reference() {
+        const auto& methods = subject_.spec().references;
+        Refined first = refined(methods[0]);
+        const Refined second = refined(methods[1]);
+        const std::size_t rows = result_.conditioning.horizon_rows;
+        result_.reference = first.rung;
+        result_.second = second.rung;
+        result_.second_is_a_limit = second.limit.has_value();
+        result_.uncertainty_m = distance(first.motion, second.limit ? *second.limit : second.motion, rows);
+        reference_ = std::move(first.motion);
+        result_.displacement_m = largest_displacement(reference_);
+        busiest_ = busiest_particle(reference_);
+        result_.statistics = measure(reference_, busiest_);
+    }
+
+    void run_ladders() {
+        const auto& methods = subject_.methods();
+        Progress progress("accuracy", 0, methods.size() * kRungs, 0, settings_.run.quiet, "rungs");
+        for (std::size_t i = 0; i < methods.size(); ++i) {
+            const double stable = std::max(stable_step(methods[i]), stable_reference_);
+            const double coarsest = std::min(4 * stable, subject_.scene().step);
+            const Deadline share = deadline_.share(1 / static_cast<double>(methods.size() - i));
+            run_ladder(ladder(subject_, methods[i], coarsest, kRungs), share,
+                       [&](std::size_t k) { progress.update(i * kRungs + k); });
+        }
+    }
+
+    template <class Done>
+    void run_ladder(const std::vector<Rung>& rungs, const Deadline& share, Done&& done) {
+        const double whole = share.left();
+        double elapsed = 0;
+        for (std::size_t k = 0; k < rungs.size(); ++k) {
+            if (2 * elapsed > share.left() || !run_rung(rungs[k], share, whole, elapsed))
+                return leave_out(rungs[k].method, rungs.size() - k);
+            done(k + 1);
+        }
+    }
+
+    void leave_out(const std::string& method, std::size_t count) {
+        result_.sentences.push_back(
+            fmt::format("{}: its {} finest of {} rungs were left out for lack of time", method, count, kRungs));
+    }
+
+    // Repeats take at most a tenth of the method's time: what runs long varies little.
+    bool run_rung(const Rung& rung, const Deadline& share, double whole, double& elapsed) {
+        const TrialPlan plan{subject_.overrides(rung), result_.duration_s};
+        const Trial trial = run_trial(settings_, subject_, plan, share);
+        if (trial.ending == Ending::timeout) return false;
+        elapsed = trial.elapsed_s;
+        std::vector<double> walls{trial.wall_s};
+        for (int i = 1; i < settings_.repeats && trial.ending == Ending::done; ++i) {
+            if ((i + 1) * elapsed > 0.1 * whole) break;
+            const Trial again = run_trial(settings_, subject_, plan, share);
+            if (again.ending == Ending::timeout) break;
+            walls.push_back(again.wall_s);
+        }
+        add_row(rung, trial, walls);
+        return true;
+    }
+
+    void add_row(const Rung& rung, const Trial& trial, std::vector<double>& walls) {
+        AccuracyRow row{rung, std::nullopt, 0, trial.steps, to_string(trial.ending), std::nullopt};
+        const auto middle = walls.begin() + static_cast<std::ptrdiff_t>(walls.size() / 2);
+        std::nth_element(walls.begin(), middle, walls.end());
+        row.wall_s = *middle;
+        if (trial.ending == Ending::done) {
+            row.error_m = distance(reference_, trial.motion, result_.conditioning.horizon_rows);
+            row.deviation = compare(measure(trial.motion, busiest_), result_.statistics);
+            if (*row.error_m < kResolved * result_.uncertainty_m) row.outcome = "unresolved";
+        }
+        result_.rows.push_back(std::move(row));
+    }
+
+    void conclude() {
+        std::vector<CostError> resolved;  // for the front: what is measured
+        std::vector<CostError> certain;   // for promises: what is measured and the doubt in it
+        for (const AccuracyRow& row : result_.rows) {
+            const double error = row.error_m.value_or(HUGE_VAL);
+            resolved.push_back({row.wall_s, row.outcome == "done" ? error : HUGE_VAL});
+            certain.push_back({row.wall_s, error + result_.uncertainty_m});
+        }
+        result_.front = pareto_front(resolved);
+        std::vector<std::string> found;
+        if (result_.displacement_m <= kResolved * result_.uncertainty_m)
+            found.emplace_back("nothing moves in this scene: only runs that break its rest have an error");
+        for (const int decade : decades(resolved))
+            if (const auto best = cheapest_within(certain, std::pow(10, decade)))
+                found.push_back(fmt::format("within 1e{} m: {}, {:.2g} s", decade,
+                                            to_string(result_.rows[*best].rung), result_.rows[*best].wall_s));
+        result_.sentences.insert(result_.sentences.begin(), found.begin(), found.end());
+    }
+
+    const StudySettings& settings_;
+    const Subject& subject_;
+    const Deadline& deadline_;
+    AccuracyResult result_;
+    double stable_reference_ = 0;  // s
+    Motion reference_;
+    std::size_t busiest_ = 0;
+};
+
+}  // namespace
+
+AccuracyResult study_accuracy(const StudySettings& settings, const Subject& subject, const Deadline& deadline) {
+    return AccuracyStudy(settings, subject, deadline).run();
+}
+
+}  // namespace orbweaver::study

@@ -1,0 +1,53 @@
+#include "study/run_study.hpp"
+
+#include <fmt/format.h>
+
+#include "run/interrupt.hpp"
+#include "study/accuracy.hpp"
+#include "study/accuracy_files.hpp"
+#include "study/stability.hpp"
+#include "study/stability_files.hpp"
+#include "study/study_files.hpp"
+
+namespace orbweaver::study {
+
+namespace {
+
+void print(const std::vector<std::string>& sentences, const std::string& folder) {
+    for (const std::string& sentence : sentences) fmt::print("{}\n", sentence);
+    fmt::print("written: {}/index.html\n", folder);
+}
+
+void print_duration(const Subject& subject, double usual) {
+    const double duration = subject.duration(usual);
+    const bool cut = duration < subject.scene().duration;
+    fmt::print("{}: {} simulated in each run{}\n", subject.scene().name, seconds_text(duration),
+               cut ? fmt::format(" of the scene's {}; --duration says otherwise",
+                                 seconds_text(subject.scene().duration))
+                   : "");
+}
+
+}  // namespace
+
+void run_accuracy(const StudySettings& settings) {
+    const Interrupt interrupt;
+    const Subject subject(settings);
+    StudyFiles files(settings.out, "accuracy");
+    print_duration(subject, kUsualDuration);
+    const AccuracyResult result = study_accuracy(settings, subject, deadline_in(settings.time, interrupt));
+    files.commit(accuracy_csv(result), accuracy_json(result), accuracy_svg(result), accuracy_page(result));
+    print(accuracy_sentences(result), settings.out);
+}
+
+void run_stability(const StudySettings& settings, const std::vector<AxisText>& axes) {
+    const Interrupt interrupt;
+    const Subject subject(settings);
+    StudyFiles files(settings.out, "stability");
+    print_duration(subject, kUsualCellDuration);
+    const StabilityResult result =
+        study_stability(settings, subject, axes, deadline_in(settings.time, interrupt));
+    files.commit(stability_csv(result), stability_json(result), stability_svg(result), stability_page(result));
+    print(result.sentences, settings.out);
+}
+
+}  // namespace orbweaver::study

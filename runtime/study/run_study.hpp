@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "study/axis.hpp"
+#include "study/study_settings.hpp"
+
+namespace orbweaver::study {
+
+/// Studies a scene and leaves the four files of the study in settings.out; prints what it comes to. A signal
+/// ends it early, with what was found so far. Throws Fault.
+void run_accuracy(const StudySettings& settings);
+void run_stability(const StudySettings& settings, const std::vector<AxisText>& axes);
+
+}  // namespace orbweaver::study

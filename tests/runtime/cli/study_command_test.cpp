@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "support/program.hpp"
+
+using namespace orbweaver::test;
+
+namespace {
+
+struct Scene {
+    Folder folder;
+    std::string path =
+        folder.write("scene.toml", "[scene]\nduration = 0.2\nstep = 0.01\n[oscillator]\nomega = 100\n");
+    std::string out = folder.path("out");
+
+    std::vector<std::string> study(const std::string& kind, std::vector<std::string> more = {}) const {
+        std::vector<std::string> all{"study", kind, path, "--modules", fixture("oscillator")};
+        all.insert(all.end(), more.begin(), more.end());
+        if (std::find(more.begin(), more.end(), "--out") == more.end()) all.insert(all.end(), {"--out", out});
+        return all;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("the study's help tells both kinds, every option and what is left", "[scene]") {
+    const Outcome outcome = run_program({"study", "--help"});
+    CHECK(outcome.code == 0);
+    for (const char* word :
+         {"accuracy", "stability", "SCENE", "--out", "--method", "--axis", "PATH=LOW..HIGH:COUNT", "--repeats",
+          "--time", "--table", "--threads", "--quiet", "--set", "--duration", "accuracy.csv", "stability.csv",
+          "method,step_s,tolerance,error_m,wall_s,steps,outcome", "index.html"}) {
+        CAPTURE(word);
+        CHECK_THAT(outcome.out, Catch::Contains(word));
+    }
+}
+
+TEST_CASE("a study of accuracy prints what it comes to", "[scene]") {
+    const Scene scene;
+    const Outcome outcome = run_program(scene.study("accuracy", {"--repeats", "1", "--quiet"}));
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.empty());
+    for (const char* word : {"conditioning: ", "reference: rk4", "within 1e-", "written: "})
+        CHECK_THAT(outcome.out, Catch::Contains(word));
+    CHECK_THAT(read_file(scene.out + "/accuracy.csv"),
+               Catch::StartsWith("method,step_s,tolerance,error_m,wall_s,steps,outcome\nexplicit,"));
+}
+
+TEST_CASE("a study of stability takes its axes and methods from the command line", "[scene]") {
+    const Scene scene;
+    const Outcome outcome = run_program(scene.study(
+        "stability", {"--axis", "oscillator.step=1..10 ms:4", "--axis", "oscillator.omega=10..1000:3",
+                      "--method", "rk4", "--method", "verlet", "--duration", "0.1"}));
+    CHECK(outcome.code == 0);
+    CHECK_THAT(outcome.out, Catch::Contains("rk4: "));
+    CHECK_THAT(outcome.err, Catch::Contains("24/24 cells"));
+    CHECK_THAT(read_file(scene.out + "/stability.csv"),
+               Catch::StartsWith("method,oscillator.step,oscillator.omega,class\nverlet,0.001,10,"));
+}
+
+TEST_CASE("a study that was asked for wrongly ends with code 2 and says why", "[extreme]") {
+    const Scene scene;
+    struct Case {
+        std::vector<std::string> arguments;
+        const char* sentence;
+    };
+    const Case cases[] = {
+        {{"study"}, "KIND is required"},
+        {{"study", "beauty", scene.path, "--out", scene.out}, "beauty"},
+        {{"study", "accuracy", scene.path}, "--out is required"},
+        {scene.study("accuracy", {"--axis", "a.b=1..2:3"}), "only stability has axes"},
+        {scene.study("stability", {"--repeats", "2"}), "only accuracy is timed"},
+        {scene.study("stability", {"--axis", "a.b"}), "'a.b' is not an axis; expected PATH=LOW..HIGH:COUNT"},
+        {scene.study("stability", {"--axis", "a.b=1..2:3", "--axis", "a.b=1..4:3"}),
+         "'a.b' is named twice; name two options"},
+        {scene.study("stability", {"--axis", "a.b=1..2:3", "--axis", "a.c=1..4:3", "--axis", "a.d=1..4:3"}),
+         "a map has two"},
+        {scene.study("accuracy", {"--time", "0"}), "'0' is not a time above 0"},
+        {scene.study("accuracy", {"--time", "3 m"}), "'3 m' is not a time above 0"},
+        {scene.study("accuracy", {"--repeats", "0"}), "--repeats"},
+    };
+    for (const Case& c : cases) {
+        CAPTURE(c.sentence);
+        const Outcome outcome = run_program(c.arguments);
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err + outcome.out, Catch::Contains(c.sentence));
+    }
+    CHECK_FALSE(std::filesystem::exists(scene.out));
+}
+
+TEST_CASE("a scene that cannot be studied ends with the code of its fault", "[extreme]") {
+    const Scene scene;
+    CHECK(run_program(scene.study("accuracy", {"--method", "rk5"})).code == 3);
+    CHECK(run_program(scene.study("stability", {"--axis", "oscillator.mass=1..2:3"})).code == 3);
+    CHECK(run_program(scene.study("accuracy", {"--set", "oscillator.colour=3"})).code == 3);
+    CHECK(run_program(scene.study("accuracy", {"--time", "1e-5"})).code == 5);
+    scene.folder.write("file", "in the way");
+    const Outcome outcome = run_program(scene.study("accuracy", {"--out", scene.folder.path("file")}));
+    CHECK(outcome.code == 1);
+    CHECK_THAT(outcome.err, Catch::Contains("file/accuracy.csv: cannot be written"));
+}
+
+TEST_CASE("a signal ends a study with what it found", "[scene]") {
+    const Scene scene;
+    Program program(scene.study("stability", {"--set", "oscillator.delay=0.02"}));
+    for (int i = 0; i < 200 && !std::filesystem::exists(scene.out); ++i) ::usleep(10000);
+    ::usleep(500000);
+    program.send(SIGINT);
+    CHECK(program.wait().code == 0);
+    CHECK_THAT(read_file(scene.out + "/stability.csv"), Catch::Contains("unknown"));
+}

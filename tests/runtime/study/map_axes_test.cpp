@@ -1,0 +1,67 @@
+#include "study/map_axes.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "support/opened_scene.hpp"
+#include "support/study.hpp"
+
+using namespace orbweaver;
+using namespace orbweaver::study;
+using namespace orbweaver::test;
+
+namespace {
+
+MapAxes chosen(const OscillatorScene& scene, const std::vector<std::string>& texts) {
+    std::vector<AxisText> asked;
+    for (const std::string& text : texts) asked.push_back(*parse_axis(text));
+    return choose_axes(scene.settings, Subject(scene.settings), asked, scene.deadline);
+}
+
+}  // namespace
+
+TEST_CASE("steps of a map divide the frame, so that they are taken as asked", "[unit]") {
+    const OscillatorScene scene;
+    const MapAxes axes = chosen(scene, {"oscillator.stiffness=0.5..2:2", "oscillator.step=1 ms..10 ms:20:lin"});
+    CHECK(axes.step_axis == 1);
+    CHECK(axes.other().path == "oscillator.stiffness");
+    for (const double step : axes.y.values)
+        CHECK(0.01 / step == Approx(std::round(0.01 / step)).epsilon(1e-12));
+    CHECK(axes.y.values.front() == Approx(0.001));
+    CHECK(axes.y.values.back() == 0.01);
+}
+
+TEST_CASE("cells lie row by row, and share the physics that are not the step", "[unit]") {
+    const OscillatorScene scene;
+    const MapAxes axes = chosen(scene, {"oscillator.step=1 ms..10 ms:2", "oscillator.stiffness=1..2:2"});
+    REQUIRE(axes.cells() == 4);
+    CHECK(axes.x_of(1) == 0.01);
+    CHECK(axes.y_of(1) == 1);
+    CHECK(axes.y_of(2) == 2);
+    CHECK(axes.physics(0) == axes.physics(1));
+    CHECK(axes.physics(3) == std::vector<std::string>{"oscillator.stiffness=2"});
+    CHECK(chosen(scene, {"oscillator.omega=1..2:2", "oscillator.stiffness=1..2:2"}).physics(3) ==
+          std::vector<std::string>{"oscillator.omega=2", "oscillator.stiffness=2"});
+}
+
+TEST_CASE("an axis that is not given is the step, or else the module's own", "[unit]") {
+    const OscillatorScene scene("omega = 1000");
+    const auto paths = [&](const std::vector<std::string>& texts) {
+        const MapAxes axes = chosen(scene, texts);
+        return axes.x.path + " " + axes.y.path;
+    };
+    CHECK(paths({}) == "oscillator.step oscillator.stiffness");
+    CHECK(paths({"oscillator.omega=1..2:2"}) == "oscillator.step oscillator.omega");
+    CHECK(paths({"oscillator.step=1..9 ms:2"}) == "oscillator.step oscillator.stiffness");
+    const MapAxes axes = chosen(scene, {});  // around rk4's stable 2.83 ms
+    CHECK(axes.x.values.front() == Approx(2.83e-3 / 16).epsilon(0.02));
+    CHECK(axes.x.values.back() == 0.01);
+}
+
+TEST_CASE("axes that cannot be mapped are refused in words", "[extreme]") {
+    const OscillatorScene scene;
+    CHECK_THAT(fault_of([&] { chosen(scene, {"oscillator.stiffness=-1..1:3"}); }),
+               Catch::StartsWith("--axis oscillator.stiffness: "));
+    CHECK_THAT(fault_of([&] { chosen(scene, {"oscillator.step=1..2:3"}); }),
+               Catch::Contains("these steps come to one step of 10 ms"));
+}

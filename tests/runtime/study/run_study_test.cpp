@@ -1,0 +1,28 @@
+#include "study/run_study.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "support/opened_scene.hpp"
+#include "support/study.hpp"
+
+using namespace orbweaver;
+using namespace orbweaver::study;
+using namespace orbweaver::test;
+
+TEST_CASE("each study leaves its four files", "[scene]") {
+    OscillatorScene scene;
+    run_accuracy(scene.settings);
+    run_stability(scene.settings, {});
+    CHECK(Folder::names_in(scene.settings.out) ==
+          std::vector<std::string>{"accuracy.csv", "accuracy.json", "accuracy.svg", "index.html",
+                                   "stability.csv", "stability.json", "stability.svg"});
+    CHECK_THAT(read_file(scene.settings.out + "/index.html"),
+               Catch::Contains("swing: where each method holds"));
+}
+
+TEST_CASE("a study that fails leaves nothing", "[extreme]") {
+    OscillatorScene scene;
+    scene.settings.time = 1e-6;
+    CHECK(kind_of_fault([&] { run_accuracy(scene.settings); }) == FaultKind::limit);
+    CHECK(Folder::names_in(scene.settings.out).empty());
+}

@@ -1,0 +1,97 @@
+#include "study/stability.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "support/opened_scene.hpp"
+#include "support/study.hpp"
+
+using namespace orbweaver;
+using namespace orbweaver::study;
+using namespace orbweaver::test;
+
+namespace {
+
+/// Fast enough to need short steps, and too small to be seen beside the slow oscillator.
+const std::string kFast = "omega = 1000\namplitude = 1e-4\n";
+
+StabilityResult studied(OscillatorScene& scene, const std::vector<std::string>& axes) {
+    const Subject subject(scene.settings);
+    std::vector<AxisText> parsed;
+    for (const std::string& axis : axes) parsed.push_back(*parse_axis(axis));
+    return study_stability(scene.settings, subject, parsed, scene.deadline);
+}
+
+}  // namespace
+
+TEST_CASE("the map of a method is stable below its limit, diverged above, with the advice between", "[unit]") {
+    OscillatorScene scene(kFast);
+    scene.settings.methods = {"verlet"};
+    const StabilityResult result =
+        studied(scene, {"oscillator.step=0.1 ms..10 ms:12", "oscillator.stiffness=0.13..13:5"});
+    REQUIRE(result.axes.step_axis == 0);
+    REQUIRE(result.maps.size() == 1);
+    const StabilityMap& map = result.maps[0];
+    const std::size_t columns = result.axes.x.values.size();
+    REQUIRE(map.cells.size() == columns * 5);
+    REQUIRE(map.advised_s.size() == 5);
+    for (std::size_t j = 0; j < 5; ++j) {
+        const double limit = 2 / (1000 * std::sqrt(result.axes.y.values[j]));  // s
+        CHECK(map.advised_s[j] == Approx(limit));
+        for (std::size_t i = 0; i < columns; ++i) {
+            CAPTURE(result.axes.x.values[i], limit);
+            CHECK(map.cells[j * columns + i] ==
+                  (result.axes.x.values[i] < limit ? CellClass::stable : CellClass::diverged));
+        }
+    }
+    CHECK(*map.own_step_s == Approx(0.001));  // half the stable 2/omega, at a stiffness of 1
+}
+
+TEST_CASE("a run that ends but moves otherwise is degraded", "[unit]") {
+    // Explicit Euler grows by sqrt(1 + (omega h)^2) a step: by 21 in 20 steps of 10 ms, by 4 % in those of 0.1
+    // ms.
+    OscillatorScene scene("omega = 60");
+    scene.settings.methods = {"explicit"};
+    const StabilityResult result =
+        studied(scene, {"oscillator.step=0.1 ms..10 ms:2", "oscillator.stiffness=0.99..1.01:2"});
+    CHECK(result.maps[0].cells[0] == CellClass::stable);
+    CHECK(result.maps[0].cells[1] == CellClass::degraded);
+}
+
+TEST_CASE("without axes the step and the module's own are mapped, for all methods that have a step", "[unit]") {
+    OscillatorScene scene(kFast);
+    const StabilityResult result = studied(scene, {});
+    CHECK(result.axes.x.path == "oscillator.step");
+    CHECK(result.axes.y.path == "oscillator.stiffness");
+    REQUIRE(result.maps.size() == 3);
+    CHECK(result.maps[2].method == "rk4");
+    CHECK(result.sentences.size() == 3);
+    CHECK_FALSE(result.maps[0].own_step_s);  // of explicit Euler no step is stable: as it is, it is refused
+}
+
+TEST_CASE("two axes that are no step map what the physics do", "[unit]") {
+    OscillatorScene scene;
+    scene.settings.methods = {"adaptive"};
+    const StabilityResult result = studied(scene, {"oscillator.omega=10..40:3", "oscillator.growth=0..10:3"});
+    CHECK(result.axes.step_axis == -1);
+    CHECK(result.maps[0].advised_s.empty());
+    for (const CellClass kind : result.maps[0].cells) CHECK(kind == CellClass::stable);
+}
+
+TEST_CASE("cells that there is no time for are unknown, those of short steps first", "[extreme]") {
+    OscillatorScene scene(kFast + "delay = 0.001");
+    scene.settings.methods = {"verlet"};
+    const Subject subject(scene.settings);
+    const StabilityResult result = study_stability(
+        scene.settings, subject,
+        {*parse_axis("oscillator.step=0.1 ms..1 ms:10"), *parse_axis("oscillator.stiffness=0.5..1:2")},
+        deadline_in(0.4, scene.interrupt));
+    CHECK(result.maps[0].cells.front() == CellClass::unknown);
+    CHECK_THAT(result.sentences[0], Catch::Contains("unknown"));
+}
+
+TEST_CASE("methods without a step cannot be mapped over one", "[extreme]") {
+    OscillatorScene scene;
+    scene.settings.methods = {"adaptive"};
+    CHECK_THAT(fault_of([&] { studied(scene, {}); }), Catch::Contains("have no step that an axis could vary"));
+}

@@ -1,0 +1,36 @@
+#include "study/study_files.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "support/opened_scene.hpp"
+
+using namespace orbweaver;
+using namespace orbweaver::study;
+using namespace orbweaver::test;
+
+TEST_CASE("four files appear together, and only when they are whole", "[unit]") {
+    const Folder folder;
+    {
+        const StudyFiles files(folder.path("a/b"), "accuracy");
+        CHECK_FALSE(std::filesystem::exists(folder.path("a/b/accuracy.csv")));
+    }
+    CHECK(std::filesystem::is_empty(folder.path("a/b")));
+    StudyFiles files(folder.path("a/b"), "accuracy");
+    files.commit("1", "2", "3", "4");
+    CHECK(read_file(folder.path("a/b/accuracy.csv")) == "1");
+    CHECK(read_file(folder.path("a/b/accuracy.json")) == "2");
+    CHECK(read_file(folder.path("a/b/accuracy.svg")) == "3");
+    CHECK(read_file(folder.path("a/b/index.html")) == "4");
+}
+
+TEST_CASE("a folder that cannot be written is known at once", "[extreme]") {
+    const Folder folder;
+    folder.write("file", "");
+    CHECK_THAT(fault_of([&] { StudyFiles(folder.path("file"), "accuracy"); }),
+               Catch::Contains("file/accuracy.csv: cannot be written"));
+}
+
+TEST_CASE("a page escapes its title and its sentences", "[unit]") {
+    CHECK_THAT(html_page("a & b", "<p>c</p>\n"), Catch::Contains("<h1>a &amp; b</h1>\n<p>c</p>\n</body>"));
+    CHECK(html_list({"x < y"}) == "<ul>\n<li>x &lt; y</li>\n</ul>\n");
+}
