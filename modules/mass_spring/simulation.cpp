@@ -1,6 +1,7 @@
 #include "simulation.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "orbweaver/fault.hpp"
@@ -179,9 +180,12 @@ void Simulation::restore_start() noexcept {
 }
 
 void Simulation::measure_error(std::int64_t count) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
     std::copy(start_x_.begin(), start_x_.end(), trial_x_.begin());
     std::copy(start_v_.begin(), start_v_.end(), trial_v_.begin());
     if (integrate(trial_x_, trial_v_, 2 * count)) error_.add(x_, trial_x_);
+    error_seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 void Simulation::fail(std::uint64_t frame, double time) {

@@ -55,7 +55,8 @@ public:
     /// Largest position error expected at the run's end, m: order-aware step doubling on sampled frames,
     /// mean per frame times frames run. Not a bound where the system itself is chaotic.
     double error_estimate() const noexcept;
-    std::string error_method() const;  ///< how, over how many frames
+    std::string error_method() const;                                 ///< how, over how many frames
+    double error_seconds() const noexcept { return error_seconds_; }  ///< wall time that the estimate took
     /// J that came from nowhere, summed over the frames that gained.
     double energy_gain() const noexcept;
     std::size_t memory_bytes() const noexcept;
@@ -95,6 +96,7 @@ private:
     bool warned_ = false;
     bool warned_of_gain_ = false;
     double energy_gain_ = 0;
+    double error_seconds_ = 0;
     std::uint64_t steps_ = 0;
     std::vector<Vec3> start_x_, start_v_;  ///< the last good state
     std::vector<Vec3> trial_x_, trial_v_;  ///< of a frame redone

@@ -49,7 +49,8 @@ public:
         report.steps = simulation_->steps();
         report.memory_bytes = memory_bytes();
         report.has_error = true;
-        report.error = {simulation_->error_estimate(), "m", simulation_->error_method()};
+        report.error = {simulation_->error_estimate(), "m", simulation_->error_method(),
+                        simulation_->error_seconds()};
         report_threads(report);
         if (web_.layout.is_orb()) report_orb(report);
         report.measure("settle_residual_n", start_residual_);

@@ -38,7 +38,8 @@ Json module_json(const RunReport::ModuleEntry& module) {
     if (module.report.has_error)
         json["error_estimate"] = {{"value", number(module.report.error.value)},
                                   {"unit", module.report.error.unit},
-                                  {"how", module.report.error.how}};
+                                  {"how", module.report.error.how},
+                                  {"wall_s", module.report.error.wall_s}};
     else
         json["error_estimate"] = nullptr;
     json["measures"] = measures_json(module.report);

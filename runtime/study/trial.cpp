@@ -65,7 +65,7 @@ public:
         session_.finish();
         for (Instance* instance : instances_) {
             const ModuleReport report = instance->report();
-            trial.wall_s += instance->wall_seconds();
+            trial.wall_s += instance->wall_seconds() - report.error.wall_s;
             trial.steps = std::max(trial.steps, report.steps);
             for (const auto& [name, value] : report.measures)
                 if (const double* step = std::get_if<double>(&value);

@@ -26,7 +26,7 @@ struct Trial {
     Ending ending = Ending::done;
     std::string message;  ///< the sentence behind an ending other than done
     Motion motion;
-    double wall_s = 0;     ///< s in the subject's frames, its own estimation of errors included
+    double wall_s = 0;     ///< s in the subject's frames, less what it estimates errors with
     double elapsed_s = 0;  ///< s for everything, loading and set-up included
     std::uint64_t steps = 0;
     double stable_step_s = std::numeric_limits<double>::infinity();  ///< of the shortest among the instances

@@ -15,7 +15,8 @@ struct ModuleReport {
     struct Error {
         double value = 0;
         std::string unit;
-        std::string how;  ///< how it was estimated, over what
+        std::string how;    ///< how it was estimated, over what
+        double wall_s = 0;  ///< s that the estimate took, of the module's own
     };
 
     std::string method;            ///< empty: the module integrates nothing

@@ -53,7 +53,8 @@ TEST_CASE("the report of a run has every key that others rely on, and finite fig
     CHECK(module["setup_s"].get<double>() > 0);
     CHECK(module["wall_s"].get<double>() > 0);
     CHECK(module["memory_bytes"] == 1000 + 8 + 2 * 24 + 8);
-    CHECK(module["error_estimate"] == json({{"value", 0.5}, {"unit", "m"}, {"how", "half a step"}}));
+    CHECK(module["error_estimate"] ==
+          json({{"value", 0.5}, {"unit", "m"}, {"how", "half a step"}, {"wall_s", 0}}));
     CHECK(module["measures"]["pictures"] == 0);
     CHECK(module["measures"]["label"] == "a \"quoted\" name");
     CHECK(module["measures"]["never"].is_null());
