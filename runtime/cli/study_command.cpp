@@ -42,6 +42,12 @@ StudyCommand::StudyCommand(CLI::App& app) : command_(app.add_subcommand("study",
     command_->add_option("--out", settings_.out, "folder for the results; it is made")->required();
     command_->add_option("--method", settings_.methods, "study this method; repeatable; all when absent")
         ->allow_extra_args(false);
+    command_
+        ->add_option("--references", settings_.references,
+                     "two methods, FIRST,SECOND: of the reference, and of what confirms it; implicit ones for "
+                     "scenes too stiff for explicit steps")
+        ->delimiter(',')
+        ->expected(2);
     command_->add_option("--axis", axes_, "stability: an axis, PATH=LOW..HIGH:COUNT[:lin|:log]; at most two")
         ->allow_extra_args(false)
         ->check(checked(is_axis,

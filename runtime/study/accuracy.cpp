@@ -53,7 +53,7 @@ private:
         if (trial.ending == Ending::timeout)
             throw Fault(FaultKind::limit,
                         fmt::format("{} did not get through {} in its part of --time {:g}; "
-                                    "give more, or shorten --duration",
+                                    "give more, shorten --duration, or name other --references",
                                     method, seconds_text(result_.duration_s), settings_.time));
         throw Fault(FaultKind::diverged,
                     fmt::format("there is no reference: {} did not get through: {}", method, trial.message));

@@ -51,6 +51,10 @@ std::optional<Refined> refine(const StudySettings& settings, const Subject& subj
         Refined next{rung, std::move(trial.motion), std::numeric_limits<double>::infinity(), 0, std::nullopt};
         if (best) {
             next.change_m = distance(best->motion, next.motion, rows);
+            if (next.change_m == 0) {  // tolerances too loose to rule a step yet
+                best->rung = rung;
+                continue;
+            }
             if (!(next.change_m < kShrinks * best->change_m)) break;
             if (std::isfinite(best->change_m) && next.change_m > 0)
                 next.order = std::log2(best->change_m / next.change_m);

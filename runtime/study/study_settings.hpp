@@ -15,7 +15,8 @@ struct StudySettings {
     bool full_duration = false;  ///< each run lasts as long as the scene says; else no longer than is usual
     double time = 300;           ///< s of wall clock that the whole study may take
     int repeats = 3;             ///< timed runs of which the median counts
-    std::vector<std::string> methods;  ///< empty: all that the module can be studied with
+    std::vector<std::string> references;  ///< two methods, instead of those that the module names; empty: those
+    std::vector<std::string> methods;     ///< empty: all that the module can be studied with
 };
 
 }  // namespace orbweaver::study

@@ -74,12 +74,15 @@ void Subject::choose_methods(const StudySettings& settings) {
     std::vector<std::string> known = spec().steps;
     for (const std::string& method : spec().tolerances)
         if (!contains(known, method)) known.push_back(method);
-    for (const std::string& method : settings.methods) {
-        if (contains(known, method)) continue;
+    const auto check = [&](const char* option, const std::string& method) {
+        if (contains(known, method)) return;
         const std::string nearest = nearest_name(method, known);
-        refuse(fmt::format("--method {}: [{}] has no such method to study; expected {}{}", method, table(),
+        refuse(fmt::format("{} {}: [{}] has no such method to study; expected {}{}", option, method, table(),
                            join_names(known), nearest.empty() ? "" : "; did you mean " + nearest + "?"));
-    }
+    };
+    for (const std::string& method : settings.methods) check("--method", method);
+    for (const std::string& method : settings.references) check("--references", method);
+    if (!settings.references.empty()) manifest_.study->references = settings.references;
     for (const std::string& method : known)
         if (settings.methods.empty() || contains(settings.methods, method)) methods_.push_back(method);
 }

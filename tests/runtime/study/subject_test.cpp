@@ -71,6 +71,13 @@ TEST_CASE("what cannot be studied is refused in words", "[extreme]") {
     CHECK(fault_of([&] { Subject{scene.settings}; }) ==
           "--method rk5: [oscillator] has no such method to study; expected explicit, verlet, rk4 or adaptive; "
           "did you mean rk4?");
+    scene.settings.methods.clear();
+    scene.settings.references = {"rk4", "rk5"};
+    CHECK_THAT(
+        fault_of([&] { Subject{scene.settings}; }),
+        Catch::StartsWith("--references rk5: [oscillator] has no such method to study; expected explicit"));
+    scene.settings.references = {"adaptive", "explicit"};
+    CHECK(Subject{scene.settings}.spec().references == scene.settings.references);
 }
 
 TEST_CASE("rungs and times are said as a person would", "[unit]") {
