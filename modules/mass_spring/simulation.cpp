@@ -29,10 +29,19 @@ Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double
     for (std::size_t i = 0; i < v_.size(); ++i) {
         if (system.network().fixed[i] != 0) v_[i] = {};
     }
+    look();
+}
+
+void Simulation::network_changed() {
+    system_->network_changed();
+    look();
+}
+
+void Simulation::look() {
     if (settings_.tolerance > 0) {
         choose_first_step();
     } else {
-        bound_step_ = kSafety * bound_step(system, *settings_.method);
+        bound_step_ = kSafety * bound_step(*system_, *settings_.method);
         choose_substep();
     }
 }
@@ -191,6 +200,7 @@ void Simulation::measure_error(std::int64_t count) {
 void Simulation::fail(std::uint64_t frame, double time) {
     const std::int64_t count = substeps_per_frame();
     const double h = substep();
+    const std::size_t bad_at_end = watch_.first_bad(x_, v_);
     restore_start();
     std::int64_t done = 0;
     std::size_t bad = x_.size();
@@ -201,8 +211,11 @@ void Simulation::fail(std::uint64_t frame, double time) {
         bad = watch_.first_bad(x_, v_);
         ++done;
     }
+    // An implicit method that makes its matrix anew for every step may come through.
+    const bool again = bad < x_.size();
+    if (!again) bad = bad_at_end;
     std::string what;
-    if (is_finite(x_[bad]) && is_finite(v_[bad])) {
+    if (again && is_finite(x_[bad]) && is_finite(v_[bad])) {
         what = "the position of particle " + std::to_string(bad) +
                " left for more than a million times the extent";
     } else {

@@ -49,6 +49,10 @@ public:
     /// Fault(diverged) where no step errs little enough, or a frame would take more than max_substeps.
     void advance(std::uint64_t frame, double time);
 
+    /// Between frames, after springs of the network were added, removed, cut or given other constants (see
+    /// SpringSystem::network_changed()): the step is chosen anew at once. Throws like the constructor.
+    void network_changed();
+
     const Advice& advice() const noexcept;
     std::uint64_t steps() const noexcept;  ///< of the method, error estimation not counted
     double substep() const noexcept;       ///< s, in use now
@@ -62,6 +66,7 @@ public:
     std::size_t memory_bytes() const noexcept;
 
 private:
+    void look();
     void choose_first_step();
     void choose_substep();
     void advance_within_tolerance(std::uint64_t frame, double time);

@@ -79,6 +79,7 @@ void SpringSystem::limit_strain(std::span<double> x, double strain) const noexce
         const Ends ends(*network_, s, plane);
         const Vec3 l = ends.extent(x);
         const double length = norm(l);
+        if (s.rest_length == 0) continue;  // has no strain
         const double most = (1 + strain) * s.rest_length;
         if (ends.weight() == 0 || length <= most || length == 0) continue;
         ends.push(x, ((most - length) / (length * ends.weight())) * l);

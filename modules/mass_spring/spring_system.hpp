@@ -74,6 +74,10 @@ public:
     /// `network` must outlive the system and be sound (see validate()). Null workers: one thread.
     SpringSystem(const Network& network, Workers* workers);
 
+    /// After springs of the network were added, removed, cut or given other constants: what is derived from them
+    /// is made anew. Particles stay as many as they were. A running Simulation is told instead of this.
+    void network_changed();
+
     /// In force until the next call; the external forces are copied.
     void set_surroundings(const Surroundings& surroundings);
     /// Of implicit methods, from the next prepare() on.
