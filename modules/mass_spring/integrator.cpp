@@ -37,7 +37,7 @@ ControlledRun Integrator::advance_within(std::span<Vec3> x, std::span<Vec3> v, d
     constexpr std::int64_t kPatience =
         10;  // steps without growth: where stability rules, it would be refused again
     // A hundredth of the steps that gets less than a thousandth of the way will not be made up for.
-    constexpr std::int64_t kFewest = 100;
+    constexpr std::int64_t kFewest = 1000;
     const std::int64_t pace = std::max(kFewest, most_steps / 100);
     const double least_way = span * static_cast<double>(pace) / static_cast<double>(most_steps) / 10;
     const StepControl control(info_->embedded_order, tolerance);

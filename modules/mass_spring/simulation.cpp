@@ -164,6 +164,13 @@ bool Simulation::answer_instability(std::uint64_t frame, double time, bool finis
         " at steps of " + seconds_text(substep());
     if (settings_.on_unstable == OnUnstable::substep) {
         finished = redo_shorter(balance);
+        if (std::isinf(bound_step_) && finished && !balance.holds()) {
+            restore_start();
+            throw Fault(FaultKind::diverged,
+                        sentence + ", and " + number_text(balance.gain) + " J at " + seconds_text(substep()) +
+                            "; the state at t = " + seconds_text(time) +
+                            " is kept; choose another method, or " + "ask for a shorter step");
+        }
         sentence += ": it moved out of the arrangement that they were advised for; it is redone at " +
                     seconds_text(substep()) + (std::isinf(bound_step_) ? "" : ", stable in every arrangement");
         warn_of_gain(sentence);

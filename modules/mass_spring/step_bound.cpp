@@ -15,7 +15,7 @@ double bound_step(const SpringSystem& system, const MethodInfo& method) {
     };
     const double omega = bound.angular_frequency, mu = bound.damping_rate;
     const double swinging = limit(omega, 0);
-    // What drag alone limits, no arrangement changes: of the springs, linear theory then says nothing.
+    // Linear theory then says nothing of the springs.
     if (omega > 0 && std::isinf(swinging)) return swinging;
     return std::min({swinging, limit(0, mu), limit(omega, mu)});
 }

@@ -43,8 +43,10 @@ public:
 
     void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) override {
         // There may be no motion to be found: what watches over values is to see that.
-        if (!halve_until_found(system, x, v, h, 0))
-            std::fill(v.begin(), v.end(), std::numeric_limits<double>::quiet_NaN());
+        if (halve_until_found(system, x, v, h, 0)) return;
+        constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+        std::fill(v.begin(), v.end(), kNone);
+        std::fill(error_x_.begin(), error_x_.end(), kNone);
     }
 
     /// Stiff parts are taken out of the error by the last stage's matrix, as the method takes them out of the
