@@ -142,10 +142,10 @@ bool Simulation::may_be_unstable() const noexcept {
     return std::isinf(bound_step_) || (bound_step_ > 0 && substep() > bound_step_);
 }
 
-bool Simulation::redo_shorter(EnergyBalance& balance) {
+bool Simulation::redo_shorter(bool finished, EnergyBalance& balance) {
     constexpr int kMostHalvings = 10;
-    bool finished = false;
     for (int i = 0; i < kMostHalvings && !(finished && balance.holds()); ++i) {
+        if (std::isinf(bound_step_) && 2 * substeps_per_frame() > settings_.max_substeps) break;
         restore_start();
         // Linear theory knows no bound for implicit methods: what is bent too far is redone at half the step.
         const double shorter = std::isinf(bound_step_) ? substep() / 2 : bound_step_;
@@ -163,7 +163,7 @@ bool Simulation::answer_instability(std::uint64_t frame, double time, bool finis
         (finished ? " gained " + number_text(balance.gain) + " J from nowhere" : " could not be finished") +
         " at steps of " + seconds_text(substep());
     if (settings_.on_unstable == OnUnstable::substep) {
-        finished = redo_shorter(balance);
+        finished = redo_shorter(finished, balance);
         if (std::isinf(bound_step_) && finished && !balance.holds()) {
             restore_start();
             throw Fault(FaultKind::diverged,

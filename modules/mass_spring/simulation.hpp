@@ -79,7 +79,7 @@ private:
     bool run_frame(EnergyBalance& balance);
     /// Whether energy from nowhere could be the step's doing.
     bool may_be_unstable() const noexcept;
-    bool redo_shorter(EnergyBalance& balance);
+    bool redo_shorter(bool finished, EnergyBalance& balance);
     /// What on_unstable says of a frame that can be no motion, run at steps that may be too long.
     bool answer_instability(std::uint64_t frame, double time, bool finished, EnergyBalance& balance);
     void warn_of_gain(const std::string& sentence);
