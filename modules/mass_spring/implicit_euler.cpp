@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "builtin_methods.hpp"
 #include "newton_stage.hpp"
@@ -17,7 +18,9 @@ public:
     void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) override {
         std::copy(x.begin(), x.end(), start_x_.begin());
         std::copy(v.begin(), v.end(), start_v_.begin());
-        stage_.solve_linearly(system, start_x_, start_v_, h, x, v);
+        // Past what rounding leaves of the matrix there is no step: what watches over values is to see that.
+        if (!stage_.solve_linearly(system, start_x_, start_v_, h, x, v))
+            std::fill(v.begin(), v.end(), std::numeric_limits<double>::quiet_NaN());
     }
 
     std::size_t memory_bytes() const noexcept override {

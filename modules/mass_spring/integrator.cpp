@@ -36,11 +36,16 @@ ControlledRun Integrator::advance_within(std::span<Vec3> x, std::span<Vec3> v, d
     constexpr double kShortest = 1e-12;  // of the span
     constexpr std::int64_t kPatience =
         10;  // steps without growth: where stability rules, it would be refused again
+    // A hundredth of the steps that gets less than a thousandth of the way will not be made up for.
+    constexpr std::int64_t kFewest = 1000;
+    const std::int64_t pace = std::max(kFewest, most_steps / 100);
+    const double least_way = span * static_cast<double>(pace) / static_cast<double>(most_steps) / 10;
     const StepControl control(info_->embedded_order, tolerance);
     ControlledRun run;
     run.next = first;
     pack(x, v);
     double left = span;
+    double left_at_look = span;
     std::int64_t refused = -kPatience;  // the last step that was
     while (run.steps < most_steps && run.next > kShortest * span) {
         // What is left in equal steps, so that none is a crumb.
@@ -50,6 +55,10 @@ ControlledRun Integrator::advance_within(std::span<Vec3> x, std::span<Vec3> v, d
         start_v_ = v_;
         method_->step(*system_, x_, v_, h);
         ++run.steps;
+        if (run.steps % pace == 0) {
+            if (left_at_look - left < least_way) break;
+            left_at_look = left;
+        }
         const double error = method_->error(*system_);
         const double wish = control.scale(error);
         const double scale = run.steps - refused > kPatience ? wish : std::min(1.0, wish);

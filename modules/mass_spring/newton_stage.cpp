@@ -55,6 +55,12 @@ double NewtonStage::search_line(const Stage& stage) {
     return 0;
 }
 
+void NewtonStage::take_change(const Stage& stage) {
+    wide_loop(stage.v.size(), [v = stage.v.data(), change = change_.data()](std::size_t i)
+                                  ORBWEAVER_ALWAYS_INLINE { v[i] += change[i]; });
+    look(stage, stage.v);
+}
+
 bool NewtonStage::solve(DynamicSystem& system, std::span<const double> x_base, std::span<const double> v_base,
                         double g, std::span<double> x, std::span<double> v) {
     constexpr int kMost = 40;
@@ -68,6 +74,11 @@ bool NewtonStage::solve(DynamicSystem& system, std::span<const double> x_base, s
         const bool fresh = made_for_ != g;
         if (fresh && !make_matrix(stage)) return false;
         system.solve(residual_, change_);
+        // Nothing that a line search could tell from rounding is left: at rest, say.
+        if (g * largest(change_) <= kRounding * largest(x)) {
+            take_change(stage);
+            return true;
+        }
         const double length = search_line(stage);
         if (length == 0) {
             made_for_ = 0;
@@ -88,17 +99,18 @@ bool NewtonStage::solve(DynamicSystem& system, std::span<const double> x_base, s
     return false;
 }
 
-void NewtonStage::solve_linearly(DynamicSystem& system, std::span<const double> x_base,
+bool NewtonStage::solve_linearly(DynamicSystem& system, std::span<const double> x_base,
                                  std::span<const double> v_base, double g, std::span<double> x,
                                  std::span<double> v) {
     const Stage stage{system, x_base, v_base, g, x, v};
     std::fill(v.begin(), v.end(), 0.0);
     look(stage, v);
-    system.prepare(x, g, g * g, Tangent::clamped);
     made_for_ = 0;
+    if (!system.prepare(x, g, g * g, Tangent::clamped)) return false;
     system.solve(residual_, v);
     wide_loop(v.size(), [g, base = x_base.data(), v = v.data(), x = x.data()](std::size_t i)
                             ORBWEAVER_ALWAYS_INLINE { x[i] = base[i] + g * v[i]; });
+    return true;
 }
 
 }  // namespace orbweaver::mass_spring

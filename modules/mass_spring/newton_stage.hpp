@@ -22,8 +22,8 @@ public:
     /// while it serves. False where Newton's method does not converge.
     bool solve(DynamicSystem& system, std::span<const double> x_base, std::span<const double> v_base, double g,
                std::span<double> x, std::span<double> v);
-    /// One iteration from v = 0, with the clamped matrix made there.
-    void solve_linearly(DynamicSystem& system, std::span<const double> x_base, std::span<const double> v_base,
+    /// One iteration from v = 0, with the clamped matrix made there. False where it is not positive definite.
+    bool solve_linearly(DynamicSystem& system, std::span<const double> x_base, std::span<const double> v_base,
                         double g, std::span<double> x, std::span<double> v);
     /// The next stage makes its own matrix.
     void forget() noexcept { made_for_ = 0; }
@@ -43,6 +43,9 @@ private:
     bool make_matrix(const Stage& stage);
     /// v moves along change_, as far as is of use; how far, 1 for all the way, 0 for nowhere.
     double search_line(const Stage& stage);
+
+    /// v moves all the way along change_.
+    void take_change(const Stage& stage);
 
     std::vector<double> residual_, change_, trial_;
     double made_for_ = 0;  ///< g of the matrix there is; 0: none

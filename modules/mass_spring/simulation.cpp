@@ -29,10 +29,19 @@ Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double
     for (std::size_t i = 0; i < v_.size(); ++i) {
         if (system.network().fixed[i] != 0) v_[i] = {};
     }
+    look();
+}
+
+void Simulation::network_changed() {
+    system_->network_changed();
+    look();
+}
+
+void Simulation::look() {
     if (settings_.tolerance > 0) {
         choose_first_step();
     } else {
-        bound_step_ = kSafety * bound_step(system, *settings_.method);
+        bound_step_ = kSafety * bound_step(*system_, *settings_.method);
         choose_substep();
     }
 }
@@ -133,10 +142,10 @@ bool Simulation::may_be_unstable() const noexcept {
     return std::isinf(bound_step_) || (bound_step_ > 0 && substep() > bound_step_);
 }
 
-bool Simulation::redo_shorter(EnergyBalance& balance) {
+bool Simulation::redo_shorter(bool finished, EnergyBalance& balance) {
     constexpr int kMostHalvings = 10;
-    bool finished = false;
     for (int i = 0; i < kMostHalvings && !(finished && balance.holds()); ++i) {
+        if (std::isinf(bound_step_) && 2 * substeps_per_frame() > settings_.max_substeps) break;
         restore_start();
         // Linear theory knows no bound for implicit methods: what is bent too far is redone at half the step.
         const double shorter = std::isinf(bound_step_) ? substep() / 2 : bound_step_;
@@ -154,7 +163,14 @@ bool Simulation::answer_instability(std::uint64_t frame, double time, bool finis
         (finished ? " gained " + number_text(balance.gain) + " J from nowhere" : " could not be finished") +
         " at steps of " + seconds_text(substep());
     if (settings_.on_unstable == OnUnstable::substep) {
-        finished = redo_shorter(balance);
+        finished = redo_shorter(finished, balance);
+        if (std::isinf(bound_step_) && finished && !balance.holds()) {
+            restore_start();
+            throw Fault(FaultKind::diverged,
+                        sentence + ", and " + number_text(balance.gain) + " J at " + seconds_text(substep()) +
+                            "; the state at t = " + seconds_text(time) +
+                            " is kept; choose another method, or " + "ask for a shorter step");
+        }
         sentence += ": it moved out of the arrangement that they were advised for; it is redone at " +
                     seconds_text(substep()) + (std::isinf(bound_step_) ? "" : ", stable in every arrangement");
         warn_of_gain(sentence);
@@ -191,6 +207,7 @@ void Simulation::measure_error(std::int64_t count) {
 void Simulation::fail(std::uint64_t frame, double time) {
     const std::int64_t count = substeps_per_frame();
     const double h = substep();
+    const std::size_t bad_at_end = watch_.first_bad(x_, v_);
     restore_start();
     std::int64_t done = 0;
     std::size_t bad = x_.size();
@@ -201,8 +218,11 @@ void Simulation::fail(std::uint64_t frame, double time) {
         bad = watch_.first_bad(x_, v_);
         ++done;
     }
+    // An implicit method that makes its matrix anew for every step may come through.
+    const bool again = bad < x_.size();
+    if (!again) bad = bad_at_end;
     std::string what;
-    if (is_finite(x_[bad]) && is_finite(v_[bad])) {
+    if (again && is_finite(x_[bad]) && is_finite(v_[bad])) {
         what = "the position of particle " + std::to_string(bad) +
                " left for more than a million times the extent";
     } else {

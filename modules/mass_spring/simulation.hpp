@@ -49,6 +49,10 @@ public:
     /// Fault(diverged) where no step errs little enough, or a frame would take more than max_substeps.
     void advance(std::uint64_t frame, double time);
 
+    /// Between frames, after springs of the network were added, removed, cut or given other constants (see
+    /// SpringSystem::network_changed()): the step is chosen anew at once. Throws like the constructor.
+    void network_changed();
+
     const Advice& advice() const noexcept;
     std::uint64_t steps() const noexcept;  ///< of the method, error estimation not counted
     double substep() const noexcept;       ///< s, in use now
@@ -62,6 +66,7 @@ public:
     std::size_t memory_bytes() const noexcept;
 
 private:
+    void look();
     void choose_first_step();
     void choose_substep();
     void advance_within_tolerance(std::uint64_t frame, double time);
@@ -74,7 +79,7 @@ private:
     bool run_frame(EnergyBalance& balance);
     /// Whether energy from nowhere could be the step's doing.
     bool may_be_unstable() const noexcept;
-    bool redo_shorter(EnergyBalance& balance);
+    bool redo_shorter(bool finished, EnergyBalance& balance);
     /// What on_unstable says of a frame that can be no motion, run at steps that may be too long.
     bool answer_instability(std::uint64_t frame, double time, bool finished, EnergyBalance& balance);
     void warn_of_gain(const std::string& sentence);

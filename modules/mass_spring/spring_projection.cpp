@@ -38,14 +38,15 @@ private:
 
 }  // namespace
 
-void SpringSystem::free_accelerations(std::span<const double> v, std::span<double> a) const noexcept {
+void SpringSystem::free_accelerations(std::span<const double> v, std::span<double> a, double h) const noexcept {
     const std::size_t plane = packing().plane();
     std::fill(a.begin(), a.end(), 0.0);
     for (std::size_t i = 0; i < size(); ++i) {
         if (network_->fixed[i] != 0) continue;
         const double inverse = 1 / network_->mass[i];
         const Vec3 velocity{v[i], v[plane + i], v[2 * plane + i]};
-        const Vec3 each = gravity_ + inverse * (external_force(i) - drag_ * velocity);
+        const Vec3 undamped = gravity_ + inverse * (external_force(i) - drag_ * velocity);
+        const Vec3 each = undamped / (1 + h * drag_ * inverse);
         a[i] = each.x;
         a[plane + i] = each.y;
         a[2 * plane + i] = each.z;
@@ -79,6 +80,7 @@ void SpringSystem::limit_strain(std::span<double> x, double strain) const noexce
         const Ends ends(*network_, s, plane);
         const Vec3 l = ends.extent(x);
         const double length = norm(l);
+        if (s.stiffness == 0 || s.rest_length == 0) continue;  // cut, or never strained
         const double most = (1 + strain) * s.rest_length;
         if (ends.weight() == 0 || length <= most || length == 0) continue;
         ends.push(x, ((most - length) / (length * ends.weight())) * l);

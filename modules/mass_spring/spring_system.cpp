@@ -19,6 +19,13 @@ SpringSystem::SpringSystem(const Network& network, Workers* workers)
       kernels_(&best_kernels()),
       pull_(3 * table_.slots) {}
 
+void SpringSystem::network_changed() {
+    table_ = SpringTable(*network_);
+    pull_.assign(3 * table_.slots, 0.0);
+    implicit_ = nullptr;
+    spectral_radius_ = -1;
+}
+
 void SpringSystem::set_surroundings(const Surroundings& surroundings) {
     gravity_ = surroundings.gravity;
     if (drag_ != surroundings.drag) spectral_radius_ = -1;

@@ -38,8 +38,10 @@ public:
     /// r M u.
     virtual double inner_product(std::span<const double> r, std::span<const double> u) const noexcept = 0;
 
-    /// For position-based methods, which meet the springs one by one. Accelerations by all else.
-    virtual void free_accelerations(std::span<const double> v, std::span<double> a) const noexcept = 0;
+    /// For position-based methods, which meet the springs one by one. Accelerations by all else
+    /// over h seconds, drag by the velocity at their end, so that it never turns a motion round.
+    virtual void free_accelerations(std::span<const double> v, std::span<double> a,
+                                    double h) const noexcept = 0;
     /// x, reached from `start` in h seconds, moves by what each spring in turn pulls over that time.
     virtual void project_springs(std::span<const double> start, std::span<double> x,
                                  double h) const noexcept = 0;
@@ -74,6 +76,10 @@ public:
     /// `network` must outlive the system and be sound (see validate()). Null workers: one thread.
     SpringSystem(const Network& network, Workers* workers);
 
+    /// After springs of the network were added, removed, cut or given other constants: what is derived from
+    /// them is made anew. Particles stay as many as they were. A running Simulation is told instead of this.
+    void network_changed();
+
     /// In force until the next call; the external forces are copied.
     void set_surroundings(const Surroundings& surroundings);
     /// Of implicit methods, from the next prepare() on.
@@ -97,7 +103,7 @@ public:
     bool prepare(std::span<const double> x, double c, double k, Tangent tangent) override;
     void solve(std::span<const double> r, std::span<double> u) override;
     double inner_product(std::span<const double> r, std::span<const double> u) const noexcept override;
-    void free_accelerations(std::span<const double> v, std::span<double> a) const noexcept override;
+    void free_accelerations(std::span<const double> v, std::span<double> a, double h) const noexcept override;
     void project_springs(std::span<const double> start, std::span<double> x, double h) const noexcept override;
     void limit_strain(std::span<double> x, double strain) const noexcept override;
 

@@ -33,8 +33,8 @@ public:
         return r[0] * u[0] + r[1] * u[1];
     }
     // Where nothing swings, what damps is drag.
-    void free_accelerations(std::span<const double> v, std::span<double> a) const noexcept override {
-        for (std::size_t i = 0; i < 2; ++i) a[i] = squared_ == 0 ? -mu_ * v[i] : 0;
+    void free_accelerations(std::span<const double> v, std::span<double> a, double h) const noexcept override {
+        for (std::size_t i = 0; i < 2; ++i) a[i] = squared_ == 0 ? -mu_ * v[i] / (1 + h * mu_) : 0;
     }
     void project_springs(std::span<const double> start, std::span<double> x, double h) const noexcept override {
         if (squared_ == 0) return;

@@ -1,6 +1,7 @@
 #include "step_bound.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "spectral_bound.hpp"
 #include "stability_limit.hpp"
@@ -13,7 +14,10 @@ double bound_step(const SpringSystem& system, const MethodInfo& method) {
         return stability_limit(method, omega, mu, bound.radius());
     };
     const double omega = bound.angular_frequency, mu = bound.damping_rate;
-    return std::min({limit(omega, 0), limit(0, mu), limit(omega, mu)});
+    const double swinging = limit(omega, 0);
+    // Linear theory then says nothing of the springs.
+    if (omega > 0 && std::isinf(swinging)) return swinging;
+    return std::min({swinging, limit(0, mu), limit(omega, mu)});
 }
 
 }  // namespace orbweaver::mass_spring

@@ -42,7 +42,11 @@ public:
     }
 
     void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) override {
-        halve_until_found(system, x, v, h, 0);
+        // There may be no motion to be found: what watches over values is to see that.
+        if (halve_until_found(system, x, v, h, 0)) return;
+        constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+        std::fill(v.begin(), v.end(), kNone);
+        std::fill(error_x_.begin(), error_x_.end(), kNone);
     }
 
     /// Stiff parts are taken out of the error by the last stage's matrix, as the method takes them out of the
@@ -60,17 +64,13 @@ public:
     }
 
 private:
-    void halve_until_found(DynamicSystem& system, std::span<double> x, std::span<double> v, double h,
+    /// False, at once, where a half is not found either: the others of its kind would cost as much for nothing.
+    bool halve_until_found(DynamicSystem& system, std::span<double> x, std::span<double> v, double h,
                            int depth) {
         constexpr int kDeepest = 12;
-        if (try_step(system, x, v, h)) return;
-        if (depth == kDeepest) {
-            // There is no motion to be found: what watches over values is to see that.
-            std::fill(v.begin(), v.end(), std::numeric_limits<double>::quiet_NaN());
-            return;
-        }
-        halve_until_found(system, x, v, h / 2, depth + 1);
-        halve_until_found(system, x, v, h / 2, depth + 1);
+        if (try_step(system, x, v, h)) return true;
+        return depth < kDeepest && halve_until_found(system, x, v, h / 2, depth + 1) &&
+               halve_until_found(system, x, v, h / 2, depth + 1);
     }
 
     /// Leaves x and v as they are where it returns false.

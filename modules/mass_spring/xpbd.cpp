@@ -17,7 +17,7 @@ public:
 
     void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) override {
         std::copy(x.begin(), x.end(), start_.begin());
-        system.free_accelerations(v, a_);
+        system.free_accelerations(v, a_, h);
         wide_loop(x.size(), [h, x = x.data(), v = v.data(), a = a_.data()](std::size_t i)
                                 ORBWEAVER_ALWAYS_INLINE { x[i] += h * (v[i] + h * a[i]); });
         system.project_springs(start_, x, h);

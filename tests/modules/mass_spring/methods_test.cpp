@@ -52,7 +52,7 @@ TEST_CASE("methods ask for the evaluations their row says", "[unit]") {
         double inner_product(std::span<const double> r, std::span<const double> u) const noexcept override {
             return r[0] * u[0];
         }
-        void free_accelerations(std::span<const double>, std::span<double> a) const noexcept override {
+        void free_accelerations(std::span<const double>, std::span<double> a, double) const noexcept override {
             ++calls;
             a[0] = 0;
         }

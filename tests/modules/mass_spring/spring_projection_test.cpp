@@ -30,9 +30,12 @@ TEST_CASE("what acts freely is gravity, drag and external force", "[unit]") {
     SpringSystem system(body.network, nullptr);
     system.set_surroundings({{0, -10, 0}, 0.5, external});
     std::vector<double> a(system.length());
-    system.free_accelerations(packed(system, body.v), a);
+    system.free_accelerations(packed(system, body.v), a, 0);
     CHECK(unpacked(system, a)[0] == Vec3{});
     CHECK(distance(unpacked(system, a)[1], {2 - 0.25, -10 - 0.5, -0.75}) < 1e-14);
+    // Over 4 s, a' = a(v + 4 a') has drag 0.5/2 of the velocity there: a' = a(v)/(1 + 4 0.5/2).
+    system.free_accelerations(packed(system, body.v), a, 4);
+    CHECK(distance(unpacked(system, a)[1], {0.875, -5.25, -0.375}) < 1e-14);
 }
 
 TEST_CASE("one spring projected once is implicit Euler", "[unit]") {
