@@ -20,6 +20,14 @@ std::optional<Motion> extrapolate(const Motion& coarse, const Motion& fine, doub
     return limit;
 }
 
+/// What going on from `before` to `next` changed, and to what that leads.
+void compare(const Refined& before, Refined& next, std::size_t rows) {
+    next.change_m = distance(before.motion, next.motion, rows);
+    if (std::isfinite(before.change_m) && next.change_m > 0)
+        next.order = std::log2(before.change_m / next.change_m);
+    if (next.rung.step > 0) next.limit = extrapolate(before.motion, next.motion, next.order);
+}
+
 }  // namespace
 
 std::vector<Rung> ladder(const Subject& subject, const std::string& method, double coarsest, int count) {
@@ -40,8 +48,10 @@ std::optional<Refined> refine(const StudySettings& settings, const Subject& subj
                               const std::vector<Rung>& rungs, double duration, std::size_t rows,
                               const Deadline& deadline) {
     constexpr double kShrinks = 0.75;
-    std::optional<Refined> best;
+    constexpr int kMostIdle = 2;  // rungs in a row that do not: rounding. One may be where no step is ruled yet
+    std::optional<Refined> best, before;
     double elapsed = 0;
+    int idle = 0;
     for (const Rung& rung : rungs) {
         if (best && 2 * elapsed > deadline.left()) break;
         Trial trial = run_trial(settings, subject, {subject.overrides(rung), duration}, deadline);
@@ -49,18 +59,12 @@ std::optional<Refined> refine(const StudySettings& settings, const Subject& subj
         if (trial.ending != Ending::done) continue;
         elapsed = trial.elapsed_s;
         Refined next{rung, std::move(trial.motion), std::numeric_limits<double>::infinity(), 0, std::nullopt};
-        if (best) {
-            next.change_m = distance(best->motion, next.motion, rows);
-            if (next.change_m == 0) {  // tolerances too loose to rule a step yet
-                best->rung = rung;
-                continue;
-            }
-            if (!(next.change_m < kShrinks * best->change_m)) break;
-            if (std::isfinite(best->change_m) && next.change_m > 0)
-                next.order = std::log2(best->change_m / next.change_m);
-            if (rung.step > 0) next.limit = extrapolate(best->motion, next.motion, next.order);
-        }
-        best = std::move(next);
+        if (before) compare(*before, next, rows);
+        const bool shrinks = !before || next.change_m < kShrinks * before->change_m;
+        idle = shrinks ? 0 : idle + 1;
+        if (shrinks) best = next;
+        if (idle == kMostIdle) break;
+        before = std::move(next);
     }
     return best;
 }
