@@ -124,7 +124,8 @@ void name_spring(const SpringSystem& system, std::span<const Vec3> x, std::span<
         if (length == 0) continue;
         const double along = dot(l, du) / length;
         const double across = std::max(0.0, dot(du, du) - along * along);
-        const double elastic = s.stiffness * (along * along + (length - s.rest_length) / length * across);
+        const Tension tension = system.tension(i, length);
+        const double elastic = tension.slope * along * along + tension.force / length * across;
         const double share = by_damping ? s.damping * along * along : elastic;
         if (share <= largest) continue;
         largest = share;

@@ -5,10 +5,9 @@
 
 namespace orbweaver::mass_spring {
 
-EnergyBalance balance_energy(const SpringSystem& system, std::span<const Vec3> x0, std::span<const Vec3> v0,
+EnergyBalance balance_energy(const SpringSystem& system, const Energy& before, std::span<const Vec3> x0,
                              std::span<const Vec3> x1, std::span<const Vec3> v1) noexcept {
     constexpr double kRounding = 1e-9;
-    const Energy before = system.energy(x0, v0);
     const Energy after = system.energy(x1, v1);
     double work = 0;
     for (std::size_t i = 0; i < x0.size(); ++i) work += dot(system.external_force(i), x1[i] - x0[i]);

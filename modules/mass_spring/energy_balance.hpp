@@ -18,8 +18,8 @@ struct EnergyBalance {
     bool holds() const noexcept { return gain <= 0.5 * turnover + rounding; }
 };
 
-/// From state 0 to state 1, during which the system's external forces were constant.
-EnergyBalance balance_energy(const SpringSystem& system, std::span<const Vec3> x0, std::span<const Vec3> v0,
+/// From x0, where the energy was `before`, to state 1, during which the system's external forces were constant.
+EnergyBalance balance_energy(const SpringSystem& system, const Energy& before, std::span<const Vec3> x0,
                              std::span<const Vec3> x1, std::span<const Vec3> v1) noexcept;
 
 }  // namespace orbweaver::mass_spring

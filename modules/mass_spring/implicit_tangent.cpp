@@ -1,5 +1,7 @@
 #include "implicit_tangent.hpp"
 
+#include "spring_system.hpp"
+
 namespace orbweaver::mass_spring {
 
 ImplicitTangent::ImplicitTangent(const Network& network, LinearSolverKind solver)
@@ -12,13 +14,14 @@ ImplicitTangent::ImplicitTangent(const Network& network, LinearSolverKind solver
       diagonal_(network.size()),
       blocks_(network.springs.size()) {}
 
-bool ImplicitTangent::prepare(std::span<const double> x, double drag, double c, double k, bool clamped) {
+bool ImplicitTangent::prepare(const SpringSystem& system, std::span<const double> x, double c, double k,
+                              bool clamped) {
     packing_.unpack(x, x_);
-    for (std::size_t i = 0; i < x_.size(); ++i) diagonal_[i] = network_->mass[i] + c * drag;
+    for (std::size_t i = 0; i < x_.size(); ++i) diagonal_[i] = network_->mass[i] + c * system.drag();
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
         const Spring& s = network_->springs[i];
         const Vec3 l = x_[s.a] - x_[s.b];
-        blocks_[i] = k * stiffness_block(s, l, clamped) + c * damping_block(s, l);
+        blocks_[i] = k * stiffness_block(l, system.tension(i, norm(l)), clamped) + c * damping_block(s, l);
     }
     return solver_->factorize(diagonal_, blocks_);
 }

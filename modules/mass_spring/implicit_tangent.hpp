@@ -10,13 +10,16 @@
 
 namespace orbweaver::mass_spring {
 
+class SpringSystem;
+
 /// W = M + c C + k K of a network, and its solution, for implicit methods (see DynamicSystem).
 class ImplicitTangent {
 public:
     /// `network` must outlive it.
     ImplicitTangent(const Network& network, LinearSolverKind solver);
 
-    bool prepare(std::span<const double> x, double drag, double c, double k, bool clamped);
+    /// `system` is of the same network.
+    bool prepare(const SpringSystem& system, std::span<const double> x, double c, double k, bool clamped);
     void solve(std::span<const double> r, std::span<double> u);
     std::size_t memory_bytes() const noexcept;
 

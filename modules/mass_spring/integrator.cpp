@@ -27,7 +27,14 @@ void Integrator::unpack(std::span<Vec3> x, std::span<Vec3> v) const {
 
 void Integrator::advance(std::span<Vec3> x, std::span<Vec3> v, double h, std::int64_t count) {
     pack(x, v);
-    for (std::int64_t i = 0; i < count; ++i) method_->step(*system_, x_, v_, h);
+    const bool creeps = system_->creep_count() > 0;
+    if (creeps) system_->creep(x_, h / 2);
+    for (std::int64_t i = 0; i < count; ++i) {
+        method_->step(*system_, x_, v_, h);
+        if (!creeps) continue;
+        system_->creep(x_, i + 1 < count ? h : h / 2);
+        method_->begin();
+    }
     unpack(x, v);
 }
 

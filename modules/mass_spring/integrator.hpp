@@ -24,12 +24,14 @@ class Integrator {
 public:
     Integrator(SpringSystem& system, const MethodInfo& method);
 
-    /// `count` steps of `h` seconds from x (m), v (m/s), in place.
+    /// `count` steps of `h` seconds from x (m), v (m/s), in place. Arms of the system that are put on creep
+    /// half a step before the method's first and after its last, and a whole one between (Strang 1968): to
+    /// second order.
     void advance(std::span<Vec3> x, std::span<Vec3> v, double h, std::int64_t count);
     /// Over `span` seconds in steps of the method's own choice, the first of at most `first` seconds, each with
     /// an error of at most `tolerance` m. Not finished when that takes more than `most_steps`, or would at ten
     /// times the pace, or takes steps that time no longer tells from none; then x and v are where it got to. Of
-    /// methods with an embedded order.
+    /// methods with an embedded order, whose errors do not count what arms err: of systems without any put on.
     ControlledRun advance_within(std::span<Vec3> x, std::span<Vec3> v, double span, double tolerance,
                                  double first, std::int64_t most_steps);
     std::size_t memory_bytes() const noexcept;

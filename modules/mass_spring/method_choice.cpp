@@ -98,6 +98,7 @@ private:
             if (!loads_.empty()) surroundings.external = loads_[load];
             system_.set_surroundings(surroundings);
             std::vector<Vec3> x(x_.begin(), x_.end()), v(x_.size());
+            system_.put_on_arms(x_);
             Integrator integrator(system_, method);
             for (int frame = 0; frame < kTrialFrames; ++frame) {
                 integrator.advance(x, v, h, substeps);

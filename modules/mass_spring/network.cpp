@@ -1,5 +1,6 @@
 #include "network.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -49,6 +50,23 @@ void check_constant(double value, const char* what, const char* unit, std::size_
                           unit + "; expected a finite one of at least 0"});
 }
 
+void check_law(const MaterialLaw& law, std::size_t index, std::vector<NetworkFault>& faults) {
+    check_constant(law.softening, "softening", "1/m", index, faults);
+    check_constant(law.stiffening, "stiffening", "1/m^2", index, faults);
+    check_constant(law.arm, "relaxing stiffness", "N/m", index, faults);
+    const std::string name = "spring " + std::to_string(index);
+    if (law.is_curved() && !(law.softening * law.softening < 3 * law.stiffening))
+        faults.push_back({Element::spring, index,
+                          name + " softens by " + number_text(law.softening) + " 1/m and stiffens by " +
+                              number_text(law.stiffening) +
+                              " 1/m^2, so it would bear less when stretched more; expected a softening whose "
+                              "square is below three times the stiffening"});
+    if (law.arm > 0 && !(std::isfinite(law.relaxation_time) && law.relaxation_time > 0))
+        faults.push_back({Element::spring, index,
+                          name + " has a relaxation time of " + number_text(law.relaxation_time) +
+                              " s; expected a finite one above 0"});
+}
+
 void check_ends(const Network& network, std::span<const Vec3> positions, std::size_t index,
                 std::vector<NetworkFault>& faults) {
     const Spring& spring = network.springs[index];
@@ -76,6 +94,16 @@ void check_ends(const Network& network, std::span<const Vec3> positions, std::si
 
 }  // namespace
 
+bool is_curved(const Network& network) noexcept {
+    return std::any_of(network.springs.begin(), network.springs.end(),
+                       [](const Spring& spring) { return spring.law.is_curved(); });
+}
+
+bool has_arms(const Network& network) noexcept {
+    return std::any_of(network.springs.begin(), network.springs.end(),
+                       [](const Spring& spring) { return spring.law.arm > 0; });
+}
+
 std::vector<NetworkFault> validate(const Network& network, std::span<const Vec3> positions) {
     std::vector<NetworkFault> faults;
     check_sizes(network, positions.size(), faults);
@@ -85,6 +113,7 @@ std::vector<NetworkFault> validate(const Network& network, std::span<const Vec3>
         check_constant(network.springs[i].rest_length, "rest length", "m", i, faults);
         check_constant(network.springs[i].stiffness, "stiffness", "N/m", i, faults);
         check_constant(network.springs[i].damping, "damping", "N s/m", i, faults);
+        check_law(network.springs[i].law, i, faults);
     }
     return faults;
 }

@@ -46,15 +46,18 @@ public:
 private:
     /// Stands still, with masses for the stiffness that is now. A fictitious mass above S/2, S the sum of
     /// the stiffness of a particle's springs, keeps a step of 1 stable (Barnes 1999); across the spring
-    /// the stiffness is |T|/|l|, which exceeds k only in strong compression.
+    /// the stiffness is |T|/|l|, which exceeds k only in strong compression or on a curve.
     void restart() {
         constexpr double kMargin = 0.55;
         const Network& network = system_->network();
         std::vector<double> stiffness(x_.size());
-        for (const Spring& s : network.springs) {
+        for (std::size_t i = 0; i < network.springs.size(); ++i) {
+            const Spring& s = network.springs[i];
             const double length = distance(x_[s.a], x_[s.b]);
-            const double across = length > 0 ? std::abs(length - s.rest_length) / length : 0;
-            const double k = s.stiffness * std::clamp(across, 1.0, 1e3);
+            const Tension tension = system_->tension(i, length);
+            const double across = length > 0 ? std::abs(tension.force) / length : 0;
+            const double along = std::max(s.stiffness, tension.slope);
+            const double k = std::clamp(across, along, 1e3 * along);
             stiffness[s.a] += k;
             stiffness[s.b] += k;
         }

@@ -75,8 +75,10 @@ private:
 
     bool find_step() {
         const auto& springs = system_->network().springs;
-        for (std::size_t i = 0; i < springs.size(); ++i)
-            blocks_[i] = stiffness_block(springs[i], x_[springs[i].a] - x_[springs[i].b], shift_ > 0);
+        for (std::size_t i = 0; i < springs.size(); ++i) {
+            const Vec3 l = x_[springs[i].a] - x_[springs[i].b];
+            blocks_[i] = stiffness_block(l, system_->tension(i, norm(l)), shift_ > 0);
+        }
         std::fill(diagonal_.begin(), diagonal_.end(), shift_);
         if (!solver_.factorize(diagonal_, blocks_)) return false;
         system_->forces(x_, still_, force_);

@@ -12,13 +12,14 @@
 namespace orbweaver::mass_spring {
 
 Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double frame_step, std::span<Vec3> x,
-                       std::span<Vec3> v, std::span<double> memory)
+                       std::span<Vec3> v, std::span<double> memory, std::span<double> creep)
     : system_(&system),
       settings_(std::move(settings)),
       frame_step_(frame_step),
       x_(x),
       v_(v),
       memory_(memory),
+      creep_(creep),
       integrator_(system, *settings_.method),
       watch_(x),
       error_(settings_.method->order),
@@ -29,11 +30,30 @@ Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double
     for (std::size_t i = 0; i < v_.size(); ++i) {
         if (system.network().fixed[i] != 0) v_[i] = {};
     }
+    put_on_arms();
     look();
+}
+
+void Simulation::put_on_arms() {
+    system_->put_on_arms(x_);
+    if (system_->creep_count() > 0 && settings_.tolerance > 0)
+        throw Fault(FaultKind::invalid,
+                    "a tolerance of " + number_text(settings_.tolerance) +
+                        " m a step is asked of threads that relax, whose error no method tells; say the step "
+                        "instead, or leave the hysteresis out");
+    if (creep_.size() != system_->creep_count()) {
+        own_creep_.resize(system_->creep_count());
+        creep_ = own_creep_;
+    }
+    system_->get_creep(creep_);
+    end_creep_.resize(creep_.size());
 }
 
 void Simulation::network_changed() {
     system_->network_changed();
+    const std::vector<double> before(creep_.begin(), creep_.end());
+    put_on_arms();
+    if (before.size() == creep_.size()) std::copy(before.begin(), before.end(), creep_.begin());
     look();
 }
 
@@ -90,6 +110,8 @@ bool Simulation::integrate(std::span<Vec3> x, std::span<Vec3> v, std::int64_t co
 void Simulation::advance(std::uint64_t frame, double time) {
     std::copy(x_.begin(), x_.end(), start_x_.begin());
     std::copy(v_.begin(), v_.end(), start_v_.begin());
+    system_->set_creep(creep_);
+    start_energy_ = system_->energy(x_, v_);
     if (const std::size_t bad = watch_.first_bad(x_, v_); bad < x_.size()) {
         throw Fault(FaultKind::diverged,
                     "particle " + std::to_string(bad) +
@@ -114,7 +136,7 @@ void Simulation::advance_within_tolerance(std::uint64_t frame, double time) {
                         " is kept; ask for a larger tolerance, or an implicit method");
     }
     set_substep(run.next);
-    energy_gain_ += std::max(0.0, balance_energy(*system_, start_x_, start_v_, x_, v_).gain);
+    energy_gain_ += std::max(0.0, balance_energy(*system_, start_energy_, start_x_, x_, v_).gain);
     error_.add_embedded(run.error, run.steps);
 }
 
@@ -129,12 +151,14 @@ void Simulation::advance_in_equal_steps(std::uint64_t frame, double time) {
     const std::int64_t count = substeps_per_frame();
     steps_ += static_cast<std::uint64_t>(count);
     error_.count_frame();
+    system_->get_creep(end_creep_);
     if (ErrorMeter::samples(frame)) measure_error(count);
+    std::copy(end_creep_.begin(), end_creep_.end(), creep_.begin());
 }
 
 bool Simulation::run_frame(EnergyBalance& balance) {
     if (!integrate(x_, v_, substeps_per_frame())) return false;
-    balance = balance_energy(*system_, start_x_, start_v_, x_, v_);
+    balance = balance_energy(*system_, start_energy_, start_x_, x_, v_);
     return true;
 }
 
@@ -193,6 +217,7 @@ void Simulation::warn_of_gain(const std::string& sentence) {
 void Simulation::restore_start() noexcept {
     std::copy(start_x_.begin(), start_x_.end(), x_.begin());
     std::copy(start_v_.begin(), start_v_.end(), v_.begin());
+    system_->set_creep(creep_);
 }
 
 void Simulation::measure_error(std::int64_t count) {
@@ -200,7 +225,9 @@ void Simulation::measure_error(std::int64_t count) {
     const auto start = Clock::now();
     std::copy(start_x_.begin(), start_x_.end(), trial_x_.begin());
     std::copy(start_v_.begin(), start_v_.end(), trial_v_.begin());
+    system_->set_creep(creep_);
     if (integrate(trial_x_, trial_v_, 2 * count)) error_.add(x_, trial_x_);
+    system_->set_creep(end_creep_);
     error_seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
 }
 

@@ -31,11 +31,14 @@ public:
     /// `memory` is kSimulationMemory doubles of the owner's state: the substep in use (s), which is chosen
     /// anew at every frame whose index is a multiple of kFramesPerAdvice. When it is saved and restored with
     /// x and v, a restored run takes the substeps of the run that never stopped. Empty: kept here, and lost.
+    /// `creep` is as many doubles of the owner's state as the network has springs where it has arms (m, see
+    /// SpringSystem::get_creep()), which are put on at x. Another number: kept here, and lost.
     /// A step longer than a frame counts as one frame. Velocities of fixed particles are set to zero.
-    /// Throws Fault(diverged) when on_unstable is `stop` and the asked step exceeds the advice, when no step
-    /// is stable, or when a frame would need more than max_substeps.
+    /// Throws Fault(invalid) when a tolerance is asked of a network with arms, and Fault(diverged) when
+    /// on_unstable is `stop` and the asked step exceeds the advice, when no step is stable, or when a frame
+    /// would need more than max_substeps.
     Simulation(SpringSystem& system, SimulationSettings settings, double frame_step, std::span<Vec3> x,
-               std::span<Vec3> v, std::span<double> memory = {});
+               std::span<Vec3> v, std::span<double> memory = {}, std::span<double> creep = {});
 
     /// From `time` to `time` + frame_step. On the first value that is not finite, or position that left for
     /// 1e6 times the system's extent, restores the frame's start in x and v and throws Fault(diverged)
@@ -50,7 +53,8 @@ public:
     void advance(std::uint64_t frame, double time);
 
     /// Between frames, after springs of the network were added, removed, cut or given other constants (see
-    /// SpringSystem::network_changed()): the step is chosen anew at once. Throws like the constructor.
+    /// SpringSystem::network_changed()): the step is chosen anew at once. Arms go on from where they were where
+    /// the springs are as many, and bear nothing where not. Throws like the constructor.
     void network_changed();
 
     const Advice& advice() const noexcept;
@@ -66,6 +70,7 @@ public:
     std::size_t memory_bytes() const noexcept;
 
 private:
+    void put_on_arms();
     void look();
     void choose_first_step();
     void choose_substep();
@@ -92,6 +97,9 @@ private:
     double frame_step_;
     std::span<Vec3> x_, v_;
     std::span<double> memory_;
+    std::vector<double> own_creep_;
+    std::span<double> creep_;  ///< m, at the frame's start
+    Energy start_energy_;
     double substep_ = 0;  ///< in use when there is no memory_
     Integrator integrator_;
     Watch watch_;
@@ -105,6 +113,7 @@ private:
     std::uint64_t steps_ = 0;
     std::vector<Vec3> start_x_, start_v_;  ///< the last good state
     std::vector<Vec3> trial_x_, trial_v_;  ///< of a frame redone
+    std::vector<double> end_creep_;        ///< m, while a frame is redone
 };
 
 }  // namespace orbweaver::mass_spring

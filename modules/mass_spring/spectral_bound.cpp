@@ -5,12 +5,15 @@
 #include <limits>
 #include <vector>
 
+#include "spring_force.hpp"
+
 namespace orbweaver::mass_spring {
 namespace {
 
 /// The largest eigenvalue of M^-1 times a weight's matrix, bounded for every arrangement. `drag` is the same
 /// for all particles.
-double bound_eigenvalue(const Network& network, double Spring::*weight, double drag) {
+template <class Weight>
+double bound_eigenvalue(const Network& network, const Weight& weight, double drag) {
     constexpr int kIterations = 50;
     const std::size_t n = network.size();
     std::vector<double> inverse_root(n);
@@ -22,8 +25,8 @@ double bound_eigenvalue(const Network& network, double Spring::*weight, double d
         for (std::size_t i = 0; i < n; ++i) image[i] = drag * inverse_root[i] * inverse_root[i] * q[i];
         for (const Spring& s : network.springs) {
             const double pair = inverse_root[s.a] * q[s.a] + inverse_root[s.b] * q[s.b];
-            image[s.a] += s.*weight * inverse_root[s.a] * pair;
-            image[s.b] += s.*weight * inverse_root[s.b] * pair;
+            image[s.a] += weight(s) * inverse_root[s.a] * pair;
+            image[s.b] += weight(s) * inverse_root[s.b] * pair;
         }
         double ratio = 0;
         double largest = 0;
@@ -42,8 +45,9 @@ double bound_eigenvalue(const Network& network, double Spring::*weight, double d
 }  // namespace
 
 SpectralBound bound_spectrum(const Network& network, double drag) {
-    return {std::sqrt(bound_eigenvalue(network, &Spring::stiffness, 0)),
-            bound_eigenvalue(network, &Spring::damping, drag)};
+    return {std::sqrt(bound_eigenvalue(network, largest_slope, 0)),
+            bound_eigenvalue(
+                network, [](const Spring& s) { return s.damping; }, drag)};
 }
 
 }  // namespace orbweaver::mass_spring

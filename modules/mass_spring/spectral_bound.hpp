@@ -15,7 +15,8 @@ struct SpectralBound {
 };
 
 /// What no mode of a network exceeds, however its particles may stand, as long as no spring is shorter than
-/// half its rest length. `drag` (N s/m) is the same for all particles.
+/// half its rest length, or, with a curve, longer than twice that. `drag` (N s/m) is the same for all
+/// particles.
 ///
 /// No arrangement is stiffer than all springs along one line with neighbors swinging against each other:
 /// the eigenvalues of M^-1 K are at most the spectral radius of the matrix with sum_j k_ij/m_i on its diagonal

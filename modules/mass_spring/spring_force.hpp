@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
+#include "network.hpp"
 #include "orbweaver/vec3.hpp"
 
 namespace orbweaver::mass_spring {
@@ -10,13 +12,35 @@ namespace orbweaver::mass_spring {
 /// direction, l * factor is zero and not a number divided by zero.
 inline constexpr double kNoLength = 1e-150;
 
+/// What a spring bears, and what a little more stretch adds to it.
+struct Tension {
+    double force = 0;  ///< T, N, negative in compression
+    double slope = 0;  ///< dT/d|l|, N/m
+};
+
+/// Of a spring without its arm, stretched by `extension` m.
+inline Tension tension_at(const Spring& s, double extension) noexcept {
+    const double e = std::max(extension, 0.0);
+    const double a = s.law.softening, b = s.law.stiffening;
+    return {s.stiffness * extension * (1 + e * (b * e - a)), s.stiffness * (1 + e * (3 * b * e - 2 * a))};
+}
+
+/// J, of the same.
+inline double elastic_energy(const Spring& s, double extension) noexcept {
+    const double e = std::max(extension, 0.0);
+    return s.stiffness * extension * extension * (0.5 + e * (s.law.stiffening / 4 * e - s.law.softening / 3));
+}
+
+/// N/m, the largest slope of a spring with its arm, of all lengths up to twice its rest length.
+inline double largest_slope(const Spring& s) noexcept {
+    return std::max(s.stiffness, tension_at(s, s.rest_length).slope) + s.law.arm;
+}
+
 /// What a spring's pull is of its extent l = x_a - x_b: pull = factor * l, with
-/// factor = [k (|l| - r) + c (dl/dt . l)/|l|]/|l| (thesis 4.14). `dl` is dl/dt.
-inline double pull_factor(const Vec3& l, const Vec3& dl, double rest_length, double stiffness,
-                          double damping) noexcept {
-    const double length = std::sqrt(dot(l, l));
-    const double inverse = 1 / (length + kNoLength);
-    return (stiffness * (length - rest_length) + damping * dot(l, dl) * inverse) * inverse;
+/// factor = [T + c (dl/dt . l)/|l|]/|l| (thesis 4.14). `dl` is dl/dt.
+inline double pull_factor(const Vec3& l, const Vec3& dl, double tension, double damping) noexcept {
+    const double inverse = 1 / (std::sqrt(dot(l, l)) + kNoLength);
+    return (tension + damping * dot(l, dl) * inverse) * inverse;
 }
 
 }  // namespace orbweaver::mass_spring

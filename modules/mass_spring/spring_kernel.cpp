@@ -6,8 +6,16 @@
 namespace orbweaver::mass_spring {
 namespace {
 
+/// See tension_at() for the arithmetic, which is the same.
+ORBWEAVER_INLINE void bend(const SpringTable::Law& law, const Lanes& extension, const double* creep,
+                           Lanes& force) noexcept {
+    const Lanes e = extension > 0 ? extension : Lanes{};
+    force *= 1 + e * (load(law.stiffening.data()) * e - load(law.softening.data()));
+    if (creep != nullptr) force += load(law.arm.data()) * (extension - load(creep));
+}
+
 /// See pull_factor() for the arithmetic, which is the same.
-template <bool damped>
+template <bool damped, bool lawful>
 ORBWEAVER_INLINE void pulls(const SpringTable& table, const KernelInput& input, std::size_t begin,
                             std::size_t end, double* pull) noexcept {
     const std::size_t plane = table.packing.plane();
@@ -16,7 +24,11 @@ ORBWEAVER_INLINE void pulls(const SpringTable& table, const KernelInput& input, 
         const Vec3Lanes l = load(input.x + quad.a, plane) - load(input.x + quad.b, plane);
         const Lanes length = sqrt(dot(l, l));
         const Lanes inverse = 1 / (length + kNoLength);
-        Lanes force = load(quad.stiffness.data()) * (length - load(quad.rest_length.data()));
+        const Lanes extension = length - load(quad.rest_length.data());
+        Lanes force = load(quad.stiffness.data()) * extension;
+        if constexpr (lawful)
+            bend(table.laws[i], extension, input.creep != nullptr ? input.creep + i * Packing::kLanes : nullptr,
+                 force);
         if constexpr (damped) {
             const Vec3Lanes dl = load(input.v + quad.a, plane) - load(input.v + quad.b, plane);
             force += load(table.damping[i].data()) * dot(l, dl) * inverse;
@@ -27,10 +39,27 @@ ORBWEAVER_INLINE void pulls(const SpringTable& table, const KernelInput& input, 
 
 ORBWEAVER_INLINE void any_pulls(const SpringTable& table, const KernelInput& input, std::size_t begin,
                                 std::size_t end, double* pull) noexcept {
-    if (!table.damping.empty()) {
-        pulls<true>(table, input, begin, end, pull);
+    const bool damped = !table.damping.empty();
+    if (!table.laws.empty()) {
+        damped ? pulls<true, true>(table, input, begin, end, pull)
+               : pulls<false, true>(table, input, begin, end, pull);
     } else {
-        pulls<false>(table, input, begin, end, pull);
+        damped ? pulls<true, false>(table, input, begin, end, pull)
+               : pulls<false, false>(table, input, begin, end, pull);
+    }
+}
+
+/// q - e shrinks by 1/(1 + z + z^2/2), z = h/tau, which is exp(-z) to second order and never oscillates.
+ORBWEAVER_INLINE void any_creep(const SpringTable& table, const double* x, double h, std::size_t begin,
+                                std::size_t end, double* creep) noexcept {
+    const std::size_t plane = table.packing.plane();
+    for (std::size_t i = begin; i < end; ++i) {
+        const SpringTable::Quad& quad = table.quads[i];
+        const Vec3Lanes l = load(x + quad.a, plane) - load(x + quad.b, plane);
+        const Lanes extension = sqrt(dot(l, l)) - load(quad.rest_length.data());
+        const Lanes z = h * load(table.laws[i].relaxation_rate.data());
+        double* q = creep + i * Packing::kLanes;
+        store(q, extension + (load(q) - extension) / (1 + z * (1 + 0.5 * z)));
     }
 }
 
@@ -74,6 +103,11 @@ void plain_accelerations(const SpringTable& table, const KernelInput& input, con
     block_accelerations(table, input, pull, begin, end, a);
 }
 
+void plain_creep(const SpringTable& table, const double* x, double h, std::size_t begin, std::size_t end,
+                 double* creep) noexcept {
+    any_creep(table, x, h, begin, end, creep);
+}
+
 ORBWEAVER_AVX2 void avx2_pulls(const SpringTable& table, const KernelInput& input, std::size_t begin,
                                std::size_t end, double* pull) noexcept {
     any_pulls(table, input, begin, end, pull);
@@ -84,15 +118,20 @@ ORBWEAVER_AVX2 void avx2_accelerations(const SpringTable& table, const KernelInp
     block_accelerations(table, input, pull, begin, end, a);
 }
 
+ORBWEAVER_AVX2 void avx2_creep(const SpringTable& table, const double* x, double h, std::size_t begin,
+                               std::size_t end, double* creep) noexcept {
+    any_creep(table, x, h, begin, end, creep);
+}
+
 }  // namespace
 
 const SpringKernels& plain_kernels() noexcept {
-    static constexpr SpringKernels kernels{plain_pulls, plain_accelerations};
+    static constexpr SpringKernels kernels{plain_pulls, plain_accelerations, plain_creep};
     return kernels;
 }
 
 const SpringKernels* avx2_kernels() noexcept {
-    static constexpr SpringKernels kernels{avx2_pulls, avx2_accelerations};
+    static constexpr SpringKernels kernels{avx2_pulls, avx2_accelerations, avx2_creep};
     return has_avx2() ? &kernels : nullptr;
 }
 

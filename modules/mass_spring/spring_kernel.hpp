@@ -12,6 +12,7 @@ struct KernelInput {
     const double* x = nullptr;         ///< m
     const double* v = nullptr;         ///< m/s
     const double* external = nullptr;  ///< N, or null
+    const double* creep = nullptr;     ///< m, of arms, as table.place says; null: arms bear nothing
     Vec3 gravity;                      ///< m/s^2
     double drag = 0;                   ///< N s/m
 };
@@ -19,7 +20,7 @@ struct KernelInput {
 /// The two passes of a force evaluation, over a range of quads, then of blocks. Every set of kernels
 /// does the same operations in the same order on each element, so the bits are the same.
 struct SpringKernels {
-    /// Into each spring's slot, pull = [k (|l| - r) + c (dl/dt . l)/|l|] l/|l| with l = x_a - x_b, for quads
+    /// Into each spring's slot, pull = [T + c (dl/dt . l)/|l|] l/|l| with l = x_a - x_b, for quads
     /// [begin, end); `pull` is three planes of table.slots, N. Ends at the same point have no direction:
     /// no force.
     void (*pulls)(const SpringTable& table, const KernelInput& input, std::size_t begin, std::size_t end,
@@ -28,6 +29,9 @@ struct SpringKernels {
     /// where fixed.
     void (*accelerations)(const SpringTable& table, const KernelInput& input, const double* pull,
                           std::size_t begin, std::size_t end, double* a) noexcept;
+    /// The dashpots of quads [begin, end) creep for h seconds at the lengths of x.
+    void (*creep)(const SpringTable& table, const double* x, double h, std::size_t begin, std::size_t end,
+                  double* creep) noexcept;
 };
 
 /// For any machine.

@@ -54,22 +54,23 @@ void SpringSystem::free_accelerations(std::span<const double> v, std::span<doubl
 }
 
 // XPBD's (18) and (26) from lambda = 0, with C = |l| - r, compliance 1/k and damping c: multiplied by k h^2, so
-// that a spring without stiffness has a meaning.
+// that a spring without stiffness has a meaning, and with the tangent of a curved one for k.
 void SpringSystem::project_springs(std::span<const double> start, std::span<double> x,
                                    double h) const noexcept {
     const std::size_t plane = packing().plane();
-    for (const Spring& s : network_->springs) {
+    for (std::size_t i = 0; i < network_->springs.size(); ++i) {
+        const Spring& s = network_->springs[i];
         const Ends ends(*network_, s, plane);
         if (ends.weight() == 0) continue;
         const Vec3 l = ends.extent(x);
         const double length = norm(l);
         if (length == 0) continue;
         const Vec3 n = l / length;
-        const double stiffness = s.stiffness * h * h;
+        const Tension here = tension(i, length);
         const double damping = s.damping * h;
         const double moved = dot(n, l - ends.extent(start));
-        const double pull = (stiffness * (length - s.rest_length) + damping * moved) /
-                            ((stiffness + damping) * ends.weight() + 1);
+        const double pull =
+            (here.force * h * h + damping * moved) / ((here.slope * h * h + damping) * ends.weight() + 1);
         ends.push(x, -pull * n);
     }
 }

@@ -1,7 +1,6 @@
 #include "spring_system.hpp"
 
 #include "spectral_bound.hpp"
-#include "spring_force.hpp"
 
 namespace orbweaver::mass_spring {
 namespace {
@@ -22,8 +21,42 @@ SpringSystem::SpringSystem(const Network& network, Workers* workers)
 void SpringSystem::network_changed() {
     table_ = SpringTable(*network_);
     pull_.assign(3 * table_.slots, 0.0);
+    creep_.clear();
     implicit_ = nullptr;
     spectral_radius_ = -1;
+}
+
+void SpringSystem::put_on_arms(std::span<const Vec3> x) {
+    if (table_.place.empty()) return;
+    creep_.assign(table_.quads.size() * Packing::kLanes, 0.0);
+    for (std::size_t i = 0; i < network_->springs.size(); ++i) {
+        const Spring& s = network_->springs[i];
+        creep_[table_.place[i]] = distance(x[s.a], x[s.b]) - s.rest_length;
+    }
+}
+
+std::size_t SpringSystem::creep_count() const noexcept { return creep_.empty() ? 0 : table_.place.size(); }
+
+void SpringSystem::get_creep(std::span<double> creep) const noexcept {
+    for (std::size_t i = 0; i < creep.size(); ++i) creep[i] = creep_[table_.place[i]];
+}
+
+void SpringSystem::set_creep(std::span<const double> creep) noexcept {
+    for (std::size_t i = 0; i < creep.size(); ++i) creep_[table_.place[i]] = creep[i];
+}
+
+void SpringSystem::creep(std::span<const double> x, double h) noexcept {
+    kernels_->creep(table_, x.data(), h, 0, table_.quads.size(), creep_.data());
+}
+
+Tension SpringSystem::tension(std::size_t spring, double length) const noexcept {
+    const Spring& s = network_->springs[spring];
+    const double extension = length - s.rest_length;
+    Tension tension = tension_at(s, extension);
+    if (creep_.empty()) return tension;
+    tension.force += s.law.arm * (extension - creep_[table_.place[spring]]);
+    tension.slope += s.law.arm;
+    return tension;
 }
 
 void SpringSystem::set_surroundings(const Surroundings& surroundings) {
@@ -41,13 +74,17 @@ std::size_t SpringSystem::length() const noexcept { return table_.packing.length
 
 std::size_t SpringSystem::memory_bytes() const noexcept {
     return table_.memory_bytes() + (implicit_ != nullptr ? implicit_->memory_bytes() : 0) +
-           (external_.capacity() + pull_.capacity()) * sizeof(double);
+           (external_.capacity() + pull_.capacity() + creep_.capacity()) * sizeof(double);
 }
 
 void SpringSystem::accelerations(std::span<const double> x, std::span<const double> v,
                                  std::span<double> a) noexcept {
     work_ += evaluation_seconds();
-    const KernelInput input{x.data(), v.data(), external_.empty() ? nullptr : external_.data(), gravity_,
+    const KernelInput input{x.data(),
+                            v.data(),
+                            external_.empty() ? nullptr : external_.data(),
+                            creep_.empty() ? nullptr : creep_.data(),
+                            gravity_,
                             drag_};
     auto pulls = [&](std::size_t begin, std::size_t end) {
         kernels_->pulls(table_, input, begin, end, pull_.data());
@@ -77,7 +114,7 @@ double SpringSystem::spectral_radius() {
 bool SpringSystem::prepare(std::span<const double> x, double c, double k, Tangent tangent) {
     if (implicit_ == nullptr) implicit_ = std::make_unique<ImplicitTangent>(*network_, linear_solver_);
     work_ += implicit_->prepare_seconds();
-    return implicit_->prepare(x, drag_, c, k, tangent == Tangent::clamped);
+    return implicit_->prepare(*this, x, c, k, tangent == Tangent::clamped);
 }
 
 void SpringSystem::solve(std::span<const double> r, std::span<double> u) {
@@ -103,9 +140,10 @@ void SpringSystem::forces(std::span<const Vec3> x, std::span<const Vec3> v, std:
     for (std::size_t i = 0; i < size(); ++i) {
         f[i] = network_->mass[i] * gravity_ - drag_ * v[i] + external_force(i);
     }
-    for (const Spring& s : network_->springs) {
+    for (std::size_t i = 0; i < network_->springs.size(); ++i) {
+        const Spring& s = network_->springs[i];
         const Vec3 l = x[s.a] - x[s.b];
-        const Vec3 pull = l * pull_factor(l, v[s.a] - v[s.b], s.rest_length, s.stiffness, s.damping);
+        const Vec3 pull = l * pull_factor(l, v[s.a] - v[s.b], tension(i, norm(l)).force, s.damping);
         f[s.a] -= pull;
         f[s.b] += pull;
     }
@@ -123,15 +161,19 @@ Energy SpringSystem::energy(std::span<const Vec3> x, std::span<const Vec3> v) co
         energy.kinetic += 0.5 * network_->mass[i] * dot(v[i], v[i]);
         energy.potential -= network_->mass[i] * dot(gravity_, x[i]);
     }
-    for (const Spring& s : network_->springs) {
+    for (std::size_t i = 0; i < network_->springs.size(); ++i) {
+        const Spring& s = network_->springs[i];
         const double extension = distance(x[s.a], x[s.b]) - s.rest_length;
-        energy.elastic += 0.5 * s.stiffness * extension * extension;
+        energy.elastic += elastic_energy(s, extension);
+        if (creep_.empty()) continue;
+        const double of_arm = extension - creep_[table_.place[i]];
+        energy.elastic += 0.5 * s.law.arm * of_arm * of_arm;
     }
     return energy;
 }
 
 double tension(const Spring& spring, std::span<const Vec3> x) noexcept {
-    return spring.stiffness * (distance(x[spring.a], x[spring.b]) - spring.rest_length);
+    return tension_at(spring, distance(x[spring.a], x[spring.b]) - spring.rest_length).force;
 }
 
 }  // namespace orbweaver::mass_spring

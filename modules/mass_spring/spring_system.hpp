@@ -11,6 +11,7 @@
 #include "orbweaver/contracts/workers.hpp"
 #include "orbweaver/vec3.hpp"
 #include "packing.hpp"
+#include "spring_force.hpp"
 #include "spring_kernel.hpp"
 
 namespace orbweaver::mass_spring {
@@ -76,8 +77,19 @@ public:
     /// `network` must outlive the system and be sound (see validate()). Null workers: one thread.
     SpringSystem(const Network& network, Workers* workers);
 
+    /// Arms (see MaterialLaw) bear nothing, as if there were none, until they are put on: from then on they
+    /// bear nothing at x, and their dashpots creep. No effect where there are none.
+    void put_on_arms(std::span<const Vec3> x);
+    /// m, of the dashpots of all springs that have an arm, in order; `length` of them. 0: none are put on.
+    std::size_t creep_count() const noexcept;
+    void get_creep(std::span<double> creep) const noexcept;
+    void set_creep(std::span<const double> creep) noexcept;
+    /// The dashpots creep for h seconds at packed x. With arms put on.
+    void creep(std::span<const double> x, double h) noexcept;
+
     /// After springs of the network were added, removed, cut or given other constants: what is derived from
-    /// them is made anew. Particles stay as many as they were. A running Simulation is told instead of this.
+    /// them is made anew, and arms bear nothing. Particles stay as many as they were. A running Simulation is
+    /// told instead of this.
     void network_changed();
 
     /// In force until the next call; the external forces are copied.
@@ -107,8 +119,9 @@ public:
     void project_springs(std::span<const double> start, std::span<double> x, double h) const noexcept override;
     void limit_strain(std::span<double> x, double strain) const noexcept override;
 
-    Vec3 external_force(std::size_t particle) const noexcept;  ///< N
-    double drag() const noexcept { return drag_; }             ///< N s/m
+    Tension tension(std::size_t spring, double length) const noexcept;  ///< with its arm
+    Vec3 external_force(std::size_t particle) const noexcept;           ///< N
+    double drag() const noexcept { return drag_; }                      ///< N s/m
     /// Net force (N) on every particle, fixed ones too: at rest, minus what its anchor bears.
     void forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> f) const noexcept;
     Energy energy(std::span<const Vec3> x, std::span<const Vec3> v) const noexcept;
@@ -131,13 +144,14 @@ private:
     double drag_ = 0;
     std::vector<double> external_;  ///< packed; empty: none
     std::vector<double> pull_;      ///< N, three planes of a slot per spring, scratch
+    std::vector<double> creep_;     ///< m, as table_.place says; empty: arms bear nothing
     LinearSolverKind linear_solver_ = LinearSolverKind::automatic;
     std::unique_ptr<ImplicitTangent> implicit_;  ///< null until an implicit method asks
     mutable double work_ = 0;                    ///< s
     double spectral_radius_ = -1;                ///< 1/s; negative until a method asks
 };
 
-/// Tension (N, negative in compression) of one spring, its elastic part.
+/// Tension (N, negative in compression) of one spring without its arm, its elastic part.
 double tension(const Spring& spring, std::span<const Vec3> x) noexcept;
 
 }  // namespace orbweaver::mass_spring

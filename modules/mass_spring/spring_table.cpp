@@ -60,13 +60,20 @@ void add_quads(const Network& network, const std::vector<Link>& links, const Run
     for (std::uint32_t i = 0; i < run.length; i += kLanes)
         table.quads.push_back({start.a + i, start.a + i + start.offset, run.slot + i, {}, {}});
     table.damping.resize(table.quads.size());
+    table.laws.resize(table.quads.size());
     for (std::size_t i = run.first; i < run.end; ++i) {
         const Spring& spring = network.springs[links[i].spring];
-        const std::uint32_t place = links[i].a - start.a;
-        SpringTable::Quad& quad = table.quads[base + place / kLanes];
-        quad.rest_length[place % kLanes] = spring.rest_length;
-        quad.stiffness[place % kLanes] = spring.stiffness;
-        table.damping[base + place / kLanes][place % kLanes] = spring.damping;
+        const std::uint32_t place = static_cast<std::uint32_t>(base) * kLanes + links[i].a - start.a;
+        const std::uint32_t quad = place / kLanes, lane = place % kLanes;
+        table.place[links[i].spring] = place;
+        table.quads[quad].rest_length[lane] = spring.rest_length;
+        table.quads[quad].stiffness[lane] = spring.stiffness;
+        table.damping[quad][lane] = spring.damping;
+        SpringTable::Law& law = table.laws[quad];
+        law.softening[lane] = spring.law.softening;
+        law.stiffening[lane] = spring.law.stiffening;
+        law.arm[lane] = spring.law.arm;
+        law.relaxation_rate[lane] = spring.law.arm > 0 ? 1 / spring.law.relaxation_time : 0;
     }
 }
 
@@ -95,7 +102,8 @@ void list_incident(const Stretches& as_a, const Stretches& as_b, SpringTable& ta
 
 }  // namespace
 
-SpringTable::SpringTable(const Network& network) : packing(network.size()), inverse_mass(packing.plane()) {
+SpringTable::SpringTable(const Network& network)
+    : packing(network.size()), place(network.springs.size()), inverse_mass(packing.plane()) {
     const std::vector<Link> links = links_by_offset(network);
     std::vector<Run> runs = find_runs(links);
     Stretches as_a(packing.blocks()), as_b(packing.blocks());
@@ -112,6 +120,8 @@ SpringTable::SpringTable(const Network& network) : packing(network.size()), inve
     const bool damped = std::any_of(network.springs.begin(), network.springs.end(),
                                     [](const Spring& spring) { return spring.damping > 0; });
     if (!damped) damping = {};
+    if (!has_arms(network)) place = {};
+    if (!has_arms(network) && !is_curved(network)) laws = {};
     for (std::size_t i = 0; i < network.size(); ++i)
         inverse_mass[i] = network.fixed[i] != 0 ? 0 : 1 / network.mass[i];
     for (std::size_t i = 0; i < inverse_mass.size(); ++i) {
@@ -122,6 +132,7 @@ SpringTable::SpringTable(const Network& network) : packing(network.size()), inve
 std::size_t SpringTable::memory_bytes() const noexcept {
     return quads.capacity() * sizeof(Quad) + blocks.capacity() * sizeof(Block) +
            incident.capacity() * sizeof(std::uint32_t) + damping.capacity() * Packing::kLanes * sizeof(double) +
+           laws.capacity() * sizeof(Law) + place.capacity() * sizeof(std::uint32_t) +
            inverse_mass.capacity() * sizeof(double);
 }
 

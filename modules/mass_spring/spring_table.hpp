@@ -37,9 +37,20 @@ struct SpringTable {
         std::uint32_t held = 0;  ///< bit j: particle j is fixed, or padding
     };
 
+    /// Of a quad's springs, see MaterialLaw.
+    struct Law {
+        std::array<double, Packing::kLanes> softening{};        ///< 1/m
+        std::array<double, Packing::kLanes> stiffening{};       ///< 1/m^2
+        std::array<double, Packing::kLanes> arm{};              ///< N/m
+        std::array<double, Packing::kLanes> relaxation_rate{};  ///< 1/s; 0 where there is no arm
+    };
+
     Packing packing;
     std::vector<Quad> quads;
     std::vector<std::array<double, Packing::kLanes>> damping;  ///< N s/m, per quad; empty: no spring is damped
+    std::vector<Law> laws;                                     ///< per quad; empty: no spring has one
+    std::vector<std::uint32_t>
+        place;  ///< of each spring, quad times four and lane; empty: no spring has an arm
 
     std::vector<Block> blocks;
     std::vector<std::uint32_t> incident;  ///< first slots of stretches of four

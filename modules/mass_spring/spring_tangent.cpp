@@ -17,20 +17,21 @@ void add_pair(const Network& network, const Spring& s, const Vec3& f, std::span<
 
 }  // namespace
 
-// With n = l/|l| and T = k (|l| - r), one spring contributes to -(df/dx) the block
-// k n n^T + (T/|l|)(I - n n^T), with the signs + + - - of its two ends.
+// With n = l/|l|, one spring contributes to -(df/dx) the block T' n n^T + (T/|l|)(I - n n^T), with the signs
+// + + - - of its two ends.
 void SpringSystem::apply_stiffness(std::span<const Vec3> x, std::span<const Vec3> u,
                                    std::span<Vec3> out) const noexcept {
     for (Vec3& each : out) each = {};
-    for (const Spring& s : network_->springs) {
+    for (std::size_t i = 0; i < network_->springs.size(); ++i) {
+        const Spring& s = network_->springs[i];
         const Vec3 l = x[s.a] - x[s.b];
         const double squared = dot(l, l);
         if (squared == 0) continue;
         const Vec3 du = difference(*network_, s, u);
         const double length = std::sqrt(squared);
         const Vec3 along = l * (dot(l, du) / squared);
-        const double across = s.stiffness * (length - s.rest_length) / length;
-        add_pair(*network_, s, s.stiffness * along + across * (du - along), out);
+        const Tension here = tension(i, length);
+        add_pair(*network_, s, here.slope * along + here.force / length * (du - along), out);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "network.hpp"
 #include "orbweaver/vec3.hpp"
+#include "spring_force.hpp"
 
 namespace orbweaver::mass_spring {
 
@@ -11,10 +12,10 @@ struct SymmetricBlock {
 };
 
 /// What a spring of extent l = x_a - x_b contributes to the tangent stiffness -(df/dx), with the signs + + - -
-/// of its two ends: with n = l/|l| and T = k (|l| - r), k n n^T + (T/|l|)(I - n n^T). Where `clamped`, the
+/// of its two ends: with n = l/|l|, T' n n^T + (T/|l|)(I - n n^T). Where `clamped`, the
 /// second part is left out in compression, so that the block is semi-definite (Baraff and Witkin 1998; Choi and
 /// Ko 2002). A spring whose ends meet has no direction and no block.
-SymmetricBlock stiffness_block(const Spring& spring, const Vec3& l, bool clamped) noexcept;
+SymmetricBlock stiffness_block(const Vec3& l, const Tension& tension, bool clamped) noexcept;
 
 /// To the tangent damping -(df/dv): c n n^T.
 SymmetricBlock damping_block(const Spring& spring, const Vec3& l) noexcept;

@@ -4,8 +4,6 @@
 #include <array>
 #include <vector>
 
-#include "spring_force.hpp"
-
 namespace orbweaver::mass_spring {
 namespace {
 
@@ -18,12 +16,14 @@ std::array<Term, 4> terms_on(const SpringSystem& system, std::span<const Vec3> x
                              std::size_t particle) {
     Vec3 elastic;
     Vec3 damping;
-    for (const Spring& s : system.network().springs) {
+    const auto& springs = system.network().springs;
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+        const Spring& s = springs[i];
         if (s.a != particle && s.b != particle) continue;
         const double sign = s.a == particle ? -1 : 1;
         const Vec3 l = x[s.a] - x[s.b];
-        elastic += sign * l * pull_factor(l, {}, s.rest_length, s.stiffness, 0);
-        damping += sign * l * pull_factor(l, v[s.a] - v[s.b], 0, 0, s.damping);
+        elastic += sign * l * pull_factor(l, {}, system.tension(i, norm(l)).force, 0);
+        damping += sign * l * pull_factor(l, v[s.a] - v[s.b], 0, s.damping);
     }
     return {{{"external force", system.external_force(particle)},
              {"spring force", elastic},

@@ -94,6 +94,21 @@ double length_of(const Layout& layout, const Piece& piece) {
     return distance(layout.positions[piece.a], layout.positions[piece.b]);
 }
 
+/// At which a silk bears `tension`, found from above: EA s (1 - a s + b s^2) rises with s for every sound law.
+double strain_at(const Silk& silk, double tension) {
+    constexpr int kMostRounds = 200;
+    const double sought = tension / silk.axial_stiffness;
+    const auto bears = [&](double s) { return s * (1 + s * (silk.stiffening * s - silk.softening)); };
+    double low = 0, high = sought;
+    while (bears(high) < sought) high *= 2;
+    for (int round = 0; round < kMostRounds && low < high; ++round) {
+        const double middle = low + (high - low) / 2;
+        if (middle == low || middle == high) break;
+        (bears(middle) < sought ? low : high) = middle;
+    }
+    return high;
+}
+
 std::vector<double> weigh(const Layout& layout, const Silks& silks, double particle_mass) {
     std::vector<double> mass(layout.positions.size());
     for (const Piece& piece : layout.pieces) {
@@ -115,6 +130,11 @@ std::vector<Vec3> weights_of(const std::vector<double>& mass, const Vec3& gravit
 
 }  // namespace
 
+mass_spring::MaterialLaw law_of(const Silk& silk, double rest_length) noexcept {
+    return {silk.softening / rest_length, silk.stiffening / (rest_length * rest_length),
+            silk.hysteresis * silk.axial_stiffness / rest_length, silk.relaxation_time};
+}
+
 mass_spring::Network find_form(Layout& layout, const Silks& silks, double particle_mass, double damping,
                                const Vec3& gravity) {
     std::vector<double> densities;
@@ -129,9 +149,10 @@ mass_spring::Network find_form(Layout& layout, const Silks& silks, double partic
     for (std::size_t s = 0; s < layout.pieces.size(); ++s) {
         const Piece& piece = layout.pieces[s];
         const double length = length_of(layout, piece);
-        const double stiffness = silk_of(silks, piece).axial_stiffness;
-        const double rest = length / (1 + densities[s] * length / stiffness);
-        network.springs.push_back({piece.a, piece.b, rest, stiffness / rest, damping});
+        const Silk& silk = silk_of(silks, piece);
+        const double rest = length / (1 + strain_at(silk, densities[s] * length));
+        network.springs.push_back(
+            {piece.a, piece.b, rest, silk.axial_stiffness / rest, damping, law_of(silk, rest)});
     }
     return network;
 }

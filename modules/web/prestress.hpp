@@ -22,7 +22,15 @@ struct Silk {
     double tension = 0;          ///< T, N, sought at rest
     double axial_stiffness = 0;  ///< EA, N
     double linear_density = 0;   ///< kg/m; 0: every particle weighs the same
+    /// T = EA s (1 - a s + b s^2) at strain s > 0, see mass_spring::MaterialLaw.
+    double softening = 0;        ///< a
+    double stiffening = 0;       ///< b
+    double hysteresis = 0;       ///< stiffness of a Maxwell element beside it, over EA
+    double relaxation_time = 0;  ///< s, of that
 };
+
+/// Of a spring of that rest length, m.
+mass_spring::MaterialLaw law_of(const Silk& silk, double rest_length) noexcept;
 
 /// By Kind.
 using Silks = std::array<Silk, kKindNames.size()>;
@@ -34,9 +42,9 @@ std::vector<Vec3> solve_force_densities(const Layout& layout, std::span<const do
                                         std::span<const Vec3> loads);
 
 /// Moves the layout into equilibrium under gravity (m/s^2) with q = T/l of each piece as laid, and derives the
-/// springs that are at rest there: T = q l, r = l/(1 + T/EA), k = EA/r. No spring is slack. A particle weighs
-/// half of each thread it ends, of its length as found without that weight; `particle_mass` (kg) where no silk
-/// has a density.
+/// springs that are at rest there: T = q l, r = l/(1 + s) with the strain s at which the silk bears T (T/EA
+/// where it has no curve), k = EA/r. No spring is slack. A particle weighs half of each thread it ends, of its
+/// length as found without that weight; `particle_mass` (kg) where no silk has a density.
 mass_spring::Network find_form(Layout& layout, const Silks& silks, double particle_mass, double damping,
                                const Vec3& gravity);
 

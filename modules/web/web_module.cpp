@@ -74,6 +74,9 @@ private:
         velocity_ = host.state().vectors("velocity", count, {"m/s", "velocities of the web's particles"});
         substep_ = host.state().scalars("substep", mass_spring::kSimulationMemory,
                                         {"s", "step of the method in use", false});
+        if (has_arms(web_.network))
+            creep_ = host.state().scalars("creep", web_.network.springs.size(),
+                                          {"m", "extensions at which the threads' hysteresis bears nothing"});
         std::copy(web_.layout.positions.begin(), web_.layout.positions.end(), position_.begin());
     }
 
@@ -95,7 +98,7 @@ private:
         settings.describe_spring = [this](std::size_t i) { return describe_spring(i); };
         settings.warn = [&host](const std::string& sentence) { host.log(LogLevel::warning, sentence); };
         simulation_ = std::make_unique<mass_spring::Simulation>(*system_, settings, host.scene().step,
-                                                                position_, velocity_, substep_);
+                                                                position_, velocity_, substep_, creep_);
         host.telemetry("energy_j", [this] { return energy().total(); });
         host.telemetry("kinetic_energy_j", [this] { return energy().kinetic; });
         host.telemetry("max_strain", [this] { return measure_threads(web_.network, position_).max_strain; });
@@ -190,6 +193,7 @@ private:
     std::span<Vec3> position_;   // state, m
     std::span<Vec3> velocity_;   // state, m/s
     std::span<double> substep_;  // state, s
+    std::span<double> creep_;    // state, m; empty where no thread has a hysteresis
     std::unique_ptr<mass_spring::SpringSystem> system_;
     std::unique_ptr<mass_spring::Simulation> simulation_;
     mass_spring::Surroundings surroundings_;

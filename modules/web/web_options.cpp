@@ -50,6 +50,14 @@ bool check_materials(const Options& options, Diagnostics& faults) {
     return faults.size() == before;
 }
 
+void check_curve(const Options& options, const std::string& kind, const Silk& silk, Diagnostics& faults) {
+    if (silk.softening == 0 || silk.softening * silk.softening < 3 * silk.stiffening) return;
+    const std::string key = "material." + kind + ".";
+    faults.push_back({options.where(key + "softening"),
+                      "the " + kind + " threads would bear less when stretched more",
+                      key + "softening whose square is below three times " + key + "stiffening", ""});
+}
+
 /// Points faults that know no place of their own at the option they come from.
 void place(Diagnostics& faults, std::size_t first, const Location& where) {
     for (std::size_t i = first; i < faults.size(); ++i)
@@ -80,6 +88,7 @@ void scale(mass_spring::Network& network, const Options& options) {
     for (double& mass : network.mass) mass *= options.number("mass_scale");
     for (mass_spring::Spring& spring : network.springs) {
         spring.stiffness *= options.number("stiffness_scale");
+        spring.law.arm *= options.number("stiffness_scale");
         spring.damping *= options.number("damping_scale");
     }
 }
@@ -133,12 +142,20 @@ Silks read_silks(const Options& options, Diagnostics& faults) {
     for (const Kind kind : kSilkKinds) {
         const auto i = static_cast<std::size_t>(kind);
         const std::string name(kKindNames[i]);
-        silks[i] = {options.number("tension." + name), options.number("axial_stiffness." + name), 0};
+        silks[i] = {options.number("tension." + name),
+                    options.number("axial_stiffness." + name),
+                    0,
+                    material(name, "softening"),
+                    material(name, "stiffening"),
+                    material(name, "hysteresis"),
+                    material(name, "relaxation_time")};
+        check_curve(options, name, silks[i], faults);
         if (!measured) continue;
         const double diameter = material(name, "diameter");
         const double area = std::numbers::pi / 4 * diameter * diameter;
-        silks[i] = {material(name, "prestress") * area, material(name, "modulus") * area,
-                    material(name, "density") * area};
+        silks[i].tension = material(name, "prestress") * area;
+        silks[i].axial_stiffness = material(name, "modulus") * area;
+        silks[i].linear_density = material(name, "density") * area;
     }
     return silks;
 }

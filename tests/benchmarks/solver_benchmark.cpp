@@ -26,8 +26,10 @@ struct TautWeb {
     std::vector<SymmetricBlock> blocks;
 
     TautWeb() {
-        for (const Spring& s : network.springs)
-            blocks.push_back(stiffness_block(s, layout.positions[s.a] - layout.positions[s.b], true));
+        for (const Spring& s : network.springs) {
+            const Vec3 l = layout.positions[s.a] - layout.positions[s.b];
+            blocks.push_back(stiffness_block(l, tension_at(s, norm(l) - s.rest_length), true));
+        }
     }
 };
 

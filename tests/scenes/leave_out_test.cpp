@@ -82,8 +82,13 @@ Names mapped_by(const std::string& scene, const Request& request) {
 
 TEST_CASE("headless, a scene maps its own physics and nothing else", "[scene]") {
     const std::map<std::string, Names> expected = {
-        {"meadow", {"web", "wind"}}, {"thesis_web", {"web"}},          {"strand", {"web"}},
-        {"network", {"web"}},        {"steady_wind", {"web", "wind"}}, {"real_silk", {"web", "wind"}},
+        {"meadow", {"web", "wind"}},
+        {"thesis_web", {"web"}},
+        {"strand", {"web"}},
+        {"network", {"web"}},
+        {"steady_wind", {"web", "wind"}},
+        {"real_silk", {"web", "wind"}},
+        {"viscoelastic_silk", {"web", "wind"}},
     };
     for (const std::string& name : shipped_scenes()) {
         CAPTURE(name);

@@ -13,8 +13,7 @@ namespace {
 
 std::vector<SymmetricBlock> blocks_of(const Body& body, bool clamped) {
     std::vector<SymmetricBlock> blocks;
-    for (const Spring& s : body.network.springs)
-        blocks.push_back(stiffness_block(s, body.x[s.a] - body.x[s.b], clamped));
+    for (const Spring& s : body.network.springs) blocks.push_back(bodies::stiffness_block(body, s, clamped));
     return blocks;
 }
 

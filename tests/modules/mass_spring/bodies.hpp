@@ -11,6 +11,7 @@
 #include "network.hpp"
 #include "orbweaver/random.hpp"
 #include "spring_system.hpp"
+#include "symmetric_block.hpp"
 
 /// Small mass-spring bodies that several tests share.
 namespace bodies {
@@ -37,6 +38,22 @@ struct Body {
         network.springs.push_back({a, b, rest_length, stiffness, damping});
     }
 };
+
+/// Of a spring where its ends are.
+inline orbweaver::mass_spring::SymmetricBlock stiffness_block(const Body& body, const Spring& s, bool clamped) {
+    const Vec3 l = body.x[s.a] - body.x[s.b];
+    return orbweaver::mass_spring::stiffness_block(
+        l, orbweaver::mass_spring::tension_at(s, norm(l) - s.rest_length), clamped);
+}
+
+/// Every spring of a body softens, stiffens and relaxes, each a little differently.
+inline void bend(Body& body) {
+    double n = 0;
+    for (Spring& s : body.network.springs) {
+        const double each = 1 + 0.01 * n++;
+        s.law = {0.5 * each, 0.4 * each * each, 0.7 * each * s.stiffness, 0.05 * each};
+    }
+}
 
 /// A mass on a spring from a fixed point at the origin, along x, at rest.
 inline Body oscillator(double mass, double stiffness, double damping = 0) {

@@ -15,7 +15,7 @@ namespace {
 std::vector<SymmetricBlock> blocks_of(const Body& body, double scale, bool clamped) {
     std::vector<SymmetricBlock> blocks;
     for (const Spring& s : body.network.springs)
-        blocks.push_back(scale * stiffness_block(s, body.x[s.a] - body.x[s.b], clamped));
+        blocks.push_back(scale * bodies::stiffness_block(body, s, clamped));
     return blocks;
 }
 

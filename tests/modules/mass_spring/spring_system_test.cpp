@@ -47,10 +47,13 @@ TEST_CASE("a spring pulls by -[k (|l| - r) + c (dl/dt . l)/|l|] l/|l|", "[unit]"
 TEST_CASE("forces are accelerations times mass, and fixed particles do not accelerate", "[unit]") {
     // The one adds spring by spring, the other four at a time: a tangle has no two springs in a row, a web has
     // rows of every length.
-    for (Body body : {bodies::tangle(40, 0.2), bodies::ragged_web(0.2), bodies::ragged_web(0)}) {
+    Body bent = bodies::ragged_web(0.2);
+    bodies::bend(bent);
+    for (Body body : {bodies::tangle(40, 0.2), bodies::ragged_web(0.2), bodies::ragged_web(0), bent}) {
         body.network.fixed[7] = 1;
         const std::vector<Vec3> wind(body.v);
         SpringSystem system(body.network, nullptr);
+        system.put_on_arms(std::vector<Vec3>(body.x.rbegin(), body.x.rend()));
         system.set_surroundings({{1, -9.81, 2}, 0.3, wind});
         std::vector<Vec3> f(body.x.size());
         system.forces(body.x, body.v, f);
@@ -65,8 +68,10 @@ TEST_CASE("forces are accelerations times mass, and fixed particles do not accel
 
 TEST_CASE("the tangents are the derivatives of the forces", "[unit]") {
     Body body = bodies::tangle(30, 0.4);
+    if (GENERATE(false, true)) bodies::bend(body);
     const std::vector<Vec3> u(body.v.rbegin(), body.v.rend());
     SpringSystem system(body.network, nullptr);
+    system.put_on_arms(std::vector<Vec3>(body.x.rbegin(), body.x.rend()));
     system.set_surroundings({{}, 0.7, {}});
     const std::size_t n = body.x.size();
     const std::vector<Vec3> still(n);

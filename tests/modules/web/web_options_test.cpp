@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "mass_spring/spring_system.hpp"
+#include "measures.hpp"
 #include "sample_webs.hpp"
 #include "web_table.hpp"
 
@@ -146,6 +148,76 @@ TEST_CASE("a measured silk gives tension, stiffness and weight by its thickness"
     double found = 0;
     for (const double mass : web->network.mass) found += mass;
     CHECK(found == Approx(expected).epsilon(1e-4));
+}
+
+TEST_CASE("viscoelastic silk bears at breaking what it was measured to, and loses 65 % of a cycle", "[unit]") {
+    Diagnostics faults;
+    const Silks silks = read_silks(options_of(kAnchors + "silk = \"araneus_viscoelastic\"\n"), faults);
+    REQUIRE(faults.empty());
+    struct Measured {
+        std::size_t kind;
+        double diameter, modulus, breaking_strain, breaking_stress, cycle;
+    };
+    // Gosline and others 1999, table 1; the strains of cycles are those of assets/silks.
+    for (const Measured& m : {Measured{2, 3e-6, 10e9, 0.27, 1.1e9, 0.2}, {4, 2.4e-6, 3e6, 2.7, 0.5e9, 1}}) {
+        const double area = 3.14159265358979 / 4 * m.diameter * m.diameter;
+        mass_spring::Network thread;
+        thread.mass = {1, 1};
+        thread.fixed = {1, 1};
+        thread.springs = {
+            mass_spring::Spring{0, 1, 1, silks[m.kind].axial_stiffness, 0, law_of(silks[m.kind], 1)}};
+        CHECK(tension_at(thread.springs[0], 1e-9).slope / area == Approx(m.modulus).epsilon(1e-6));
+        CHECK(tension_at(thread.springs[0], m.breaking_strain).force / area ==
+              Approx(m.breaking_stress).epsilon(0.005));
+
+        mass_spring::SpringSystem system(thread, nullptr);
+        std::vector<Vec3> x{{}, {1, 0, 0}};
+        system.put_on_arms(x);
+        std::vector<double> packed(system.length());
+        constexpr int kSteps = 3000;
+        constexpr double kRise = 0.3;  // s
+        double up = 0, back = 0, last = 0;
+        for (int i = 1; i <= 2 * kSteps; ++i) {
+            const double strain = m.cycle * (i <= kSteps ? i : 2 * kSteps - i) / kSteps;
+            x[1].x = 1 + strain;
+            system.packing().pack(x, packed);
+            system.creep(packed, kRise / kSteps);
+            const double force = system.tension(0, x[1].x).force;
+            const double work = (force + last) / 2 * m.cycle / kSteps;
+            if (i <= kSteps) up += work;
+            if (i > kSteps && force > 0) back += work;  // then it hangs slack
+            last = force;
+        }
+        CHECK(1 - back / up == Approx(0.65).margin(0.01));
+    }
+}
+
+TEST_CASE("a web of viscoelastic silk is at rest where its threads bear what was sought", "[unit]") {
+    Diagnostics faults;
+    const auto web = build(kAnchors + "silk = \"araneus_viscoelastic\"\n", faults);
+    REQUIRE(web);
+    mass_spring::SpringSystem system(web->network, nullptr);
+    system.set_surroundings({{0, -9.81, 0}, 0, {}});
+    system.put_on_arms(web->layout.positions);
+    const auto& x = web->layout.positions;
+    std::vector<Vec3> forces(x.size());
+    system.forces(x, std::vector<Vec3>(x.size()), forces);
+    CHECK(largest_residual(web->network, forces) < 1e-14);
+    for (std::size_t i = 0; i < web->network.springs.size(); ++i) {
+        if (web->layout.pieces[i].kind != Kind::spiral) continue;
+        const mass_spring::Spring& spring = web->network.springs[i];
+        CHECK(spring.law.arm == Approx(20 * spring.stiffness));
+    }
+}
+
+TEST_CASE("a silk that would bear less when stretched more is refused", "[unit]") {
+    Diagnostics faults;
+    CHECK_FALSE(build(kAnchors + "material.radius = { softening = 3, stiffening = 3 }\n", faults));
+    REQUIRE(faults.size() == 1);
+    CHECK_THAT(to_string(faults.front()),
+               Catch::Contains("the radius threads would bear less when stretched more; "
+                               "expected material.radius.softening whose square is below "
+                               "three times material.radius.stiffening"));
 }
 
 TEST_CASE("a silk of which something is missing is told, figure by figure", "[unit]") {
