@@ -25,13 +25,26 @@ void NewtonStage::look(const Stage& stage, std::span<const double> v) {
                             std::size_t i) ORBWEAVER_ALWAYS_INLINE { r[i] = base[i] + g * r[i] - v[i]; });
 }
 
-bool NewtonStage::make_matrix(const Stage& stage) {
+bool NewtonStage::make_matrix(const Stage& stage, Tangent tangent) {
     const double g = stage.g;
-    // The exact tangent converges faster where it serves; compressed springs can make it indefinite.
-    const bool made = stage.system.prepare(stage.x, g, g * g, Tangent::exact) ||
-                      stage.system.prepare(stage.x, g, g * g, Tangent::clamped);
+    const bool made = stage.system.prepare(stage.x, g, g * g, tangent);
     made_for_ = made ? g : 0;
+    made_of_ = tangent;
     return made;
+}
+
+// The exact tangent converges faster where it serves; compressed springs can make it indefinite, which an
+// iterative solver finds only when it solves.
+bool NewtonStage::find_change(const Stage& stage) {
+    const auto solved = [&] {
+        stage.system.solve(residual_, change_);
+        return std::isfinite(largest(change_));
+    };
+    if (made_for_ == stage.g || make_matrix(stage, Tangent::exact)) {
+        if (solved()) return true;
+        if (made_of_ == Tangent::clamped) return false;
+    }
+    return make_matrix(stage, Tangent::clamped) && solved();
 }
 
 double NewtonStage::search_line(const Stage& stage) {
@@ -72,8 +85,7 @@ bool NewtonStage::solve(DynamicSystem& system, std::span<const double> x_base, s
     double before = 0;
     for (int i = 0; i < kMost; ++i) {
         const bool fresh = made_for_ != g;
-        if (fresh && !make_matrix(stage)) return false;
-        system.solve(residual_, change_);
+        if (!find_change(stage)) return false;
         // Nothing that a line search could tell from rounding is left: at rest, say.
         if (g * largest(change_) <= kRounding * largest(x)) {
             take_change(stage);

@@ -40,7 +40,9 @@ private:
 
     /// x and residual_ of v.
     void look(const Stage& stage, std::span<const double> v);
-    bool make_matrix(const Stage& stage);
+    bool make_matrix(const Stage& stage, Tangent tangent);
+    /// change_, by the matrix there is or a new one. False where there is none.
+    bool find_change(const Stage& stage);
     /// v moves along change_, as far as is of use; how far, 1 for all the way, 0 for nowhere.
     double search_line(const Stage& stage);
 
@@ -49,6 +51,7 @@ private:
 
     std::vector<double> residual_, change_, trial_;
     double made_for_ = 0;  ///< g of the matrix there is; 0: none
+    Tangent made_of_ = Tangent::exact;
 };
 
 }  // namespace orbweaver::mass_spring

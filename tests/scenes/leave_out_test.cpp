@@ -88,6 +88,7 @@ TEST_CASE("headless, a scene maps its own physics and nothing else", "[scene]") 
         {"network", {"web"}},
         {"steady_wind", {"web", "wind"}},
         {"real_silk", {"web", "wind"}},
+        {"stiff_strand", {"web"}},
         {"viscoelastic_silk", {"web", "wind"}},
     };
     for (const std::string& name : shipped_scenes()) {

@@ -11,7 +11,7 @@ namespace orbweaver::peers {
 
 Problem web_in_wind() {
     constexpr double kSpringDamping = 1e-6;  // N s/m, the module's default
-    const Vec3 kWind{0.3e-6, 0, -0.98e-6};
+    const Vec3 kWind{0.03e-6, 0, -0.098e-6};
     Problem problem;
     web::Layout layout = web::test::thesis_layout();
     problem.network =

@@ -20,9 +20,9 @@ struct Problem {
     mass_spring::Surroundings surroundings() const { return {gravity, drag, wind}; }
 };
 
-/// The thesis's web, found in form with the shipped silks and settled in still air to 1e-12 N; the wind is the
-/// shipped strength of the thesis's generator, 0.98 uN on every particle. Throws Fault(diverged) where it does
-/// not settle.
+/// The thesis's web, found in form with the shipped silks and settled in still air to 1e-12 N; the wind is a
+/// tenth of the thesis's generator, 0.1 uN on every particle: a breeze, in which the web stays taut. Throws
+/// Fault(diverged) where it does not settle.
 Problem web_in_wind();
 
 /// The largest distance of a particle from where it should be, m; infinite where that is not a number or there

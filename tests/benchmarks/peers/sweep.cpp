@@ -43,8 +43,7 @@ Sweep sweep(const Contender& contender, const std::vector<Vec3>& exact, double p
         const Run run = contender.run(setting);
         points.push_back({setting, largest_error(run.x, exact), run.seconds});
         setting *= contender.ratio;
-    } while (points.back().error > kTargets.back() && !is_stuck(points) &&
-             points.back().seconds / contender.ratio < patience);
+    } while (points.back().error > kTargets.back() && !is_stuck(points) && points.back().seconds < patience);
     for (std::size_t i = 0; i < kTargets.size(); ++i) {
         result.cheapest[i] = cheapest_within(points, kTargets[i]);
         if (result.cheapest[i]) repeat(contender, *result.cheapest[i]);

@@ -26,8 +26,8 @@ struct Sweep {
     Point most_accurate() const;
 };
 
-/// From the contender's first setting on, until the last target is met, nothing is won any more, or the next
-/// run would take longer than `patience` seconds.
+/// From the contender's first setting on, until the last target is met, nothing is won any more, or a run
+/// has taken longer than `patience` seconds.
 Sweep sweep(const Contender& contender, const std::vector<Vec3>& exact, double patience);
 
 }  // namespace orbweaver::peers
