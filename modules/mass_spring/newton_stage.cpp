@@ -83,7 +83,7 @@ bool NewtonStage::solve(DynamicSystem& system, std::span<const double> x_base, s
     const Stage stage{system, x_base, v_base, g, x, v};
     look(stage, v);
     double before = 0;
-    for (int i = 0; i < kMost; ++i) {
+    for (int i = 0; i < kMost && iterations_left_ > 0; ++i, --iterations_left_) {
         const bool fresh = made_for_ != g;
         if (!find_change(stage)) return false;
         // Nothing that a line search could tell from rounding is left: at rest, say.

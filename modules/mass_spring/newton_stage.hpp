@@ -19,12 +19,14 @@ public:
     explicit NewtonStage(std::size_t length) : residual_(length), change_(length), trial_(length) {}
 
     /// From the guess in v, to 1e-8 of the largest velocity, or to rounding. A matrix for the same g is kept
-    /// while it serves. False where Newton's method does not converge.
+    /// while it serves. False where Newton's method does not converge within what allow() left.
     bool solve(DynamicSystem& system, std::span<const double> x_base, std::span<const double> v_base, double g,
                std::span<double> x, std::span<double> v);
     /// One iteration from v = 0, with the clamped matrix made there. False where it is not positive definite.
     bool solve_linearly(DynamicSystem& system, std::span<const double> x_base, std::span<const double> v_base,
                         double g, std::span<double> x, std::span<double> v);
+    /// Iterations that all stages from now on may take together; then none is found any more.
+    void allow(int iterations) noexcept { iterations_left_ = iterations; }
     /// The next stage makes its own matrix.
     void forget() noexcept { made_for_ = 0; }
 
@@ -52,6 +54,7 @@ private:
     std::vector<double> residual_, change_, trial_;
     double made_for_ = 0;  ///< g of the matrix there is; 0: none
     Tangent made_of_ = Tangent::exact;
+    int iterations_left_ = 0;
 };
 
 }  // namespace orbweaver::mass_spring

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "larger.hpp"
+
 namespace orbweaver::mass_spring {
 namespace {
 
@@ -19,7 +21,7 @@ public:
     double residual() const noexcept {
         double largest = 0;
         for (std::size_t i = 0; i < f_.size(); ++i) {
-            if (system_->network().fixed[i] == 0) largest = std::max(largest, dot(f_[i], f_[i]));
+            if (system_->network().fixed[i] == 0) largest = larger(largest, dot(f_[i], f_[i]));
         }
         return std::sqrt(largest);
     }

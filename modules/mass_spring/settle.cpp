@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "block_solver.hpp"
+#include "larger.hpp"
 #include "relax.hpp"
 
 namespace orbweaver::mass_spring {
@@ -68,7 +69,7 @@ private:
         double largest = 0;
         for (std::size_t i = 0; i < x.size(); ++i) {
             if (system_->network().fixed[i] != 0) force_[i] = {};
-            largest = std::max(largest, dot(force_[i], force_[i]));
+            largest = larger(largest, dot(force_[i], force_[i]));
         }
         return std::sqrt(largest);
     }

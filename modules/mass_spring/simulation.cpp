@@ -162,21 +162,21 @@ bool Simulation::run_frame(EnergyBalance& balance) {
     return true;
 }
 
-bool Simulation::may_be_unstable() const noexcept {
-    return std::isinf(bound_step_) || (bound_step_ > 0 && substep() > bound_step_);
-}
+bool Simulation::may_be_unstable() const noexcept { return !is_bounded() || substep() > bound_step_; }
+
+bool Simulation::is_bounded() const noexcept { return bound_step_ > 0 && !std::isinf(bound_step_); }
 
 bool Simulation::redo_shorter(bool finished, EnergyBalance& balance) {
     constexpr int kMostHalvings = 10;
     for (int i = 0; i < kMostHalvings && !(finished && balance.holds()); ++i) {
-        if (std::isinf(bound_step_) && 2 * substeps_per_frame() > settings_.max_substeps) break;
+        if (!is_bounded() && 2 * substeps_per_frame() > settings_.max_substeps) break;
         restore_start();
-        // Linear theory knows no bound for implicit methods: what is bent too far is redone at half the step.
-        const double shorter = std::isinf(bound_step_) ? substep() / 2 : bound_step_;
+        // Linear theory knows no bound for implicit methods, nor for those that damping alone makes stable.
+        const double shorter = is_bounded() ? bound_step_ : substep() / 2;
         const std::int64_t count = count_bounded(settings_, shorter, frame_step_);
         set_substep(frame_step_ / static_cast<double>(count));
         finished = run_frame(balance);
-        if (!std::isinf(bound_step_)) break;
+        if (is_bounded()) break;
     }
     return finished;
 }
@@ -188,7 +188,8 @@ bool Simulation::answer_instability(std::uint64_t frame, double time, bool finis
         " at steps of " + seconds_text(substep());
     if (settings_.on_unstable == OnUnstable::substep) {
         finished = redo_shorter(finished, balance);
-        if (std::isinf(bound_step_) && finished && !balance.holds()) {
+        if (!finished) return false;
+        if (!is_bounded() && !balance.holds()) {
             restore_start();
             throw Fault(FaultKind::diverged,
                         sentence + ", and " + number_text(balance.gain) + " J at " + seconds_text(substep()) +
@@ -196,9 +197,9 @@ bool Simulation::answer_instability(std::uint64_t frame, double time, bool finis
                             " is kept; choose another method, or " + "ask for a shorter step");
         }
         sentence += ": it moved out of the arrangement that they were advised for; it is redone at " +
-                    seconds_text(substep()) + (std::isinf(bound_step_) ? "" : ", stable in every arrangement");
+                    seconds_text(substep()) + (is_bounded() ? ", stable in every arrangement" : "");
         warn_of_gain(sentence);
-        return finished;
+        return true;
     }
     if (!finished) return false;
     if (settings_.on_unstable == OnUnstable::stop) {

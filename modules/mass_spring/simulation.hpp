@@ -82,6 +82,8 @@ private:
     bool integrate(std::span<Vec3> x, std::span<Vec3> v, std::int64_t count);
     /// As many steps as plan; false when it could not be finished. The balance is of the whole frame.
     bool run_frame(EnergyBalance& balance);
+    /// Whether there is a step that is stable in every arrangement.
+    bool is_bounded() const noexcept;
     /// Whether energy from nowhere could be the step's doing.
     bool may_be_unstable() const noexcept;
     bool redo_shorter(bool finished, EnergyBalance& balance);

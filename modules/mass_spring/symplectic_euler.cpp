@@ -4,7 +4,7 @@
 namespace orbweaver::mass_spring {
 namespace {
 
-/// v += h a(x, v), then x += h v with the new velocity.
+/// Semi-implicit Euler (de Vogelaere 1956; Cromer 1981): v += h a(x, v), then x += h v with the new velocity.
 class SymplecticEuler final : public Method {
 public:
     explicit SymplecticEuler(std::size_t length) : a_(length) {}

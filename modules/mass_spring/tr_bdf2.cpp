@@ -42,6 +42,9 @@ public:
     }
 
     void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) override {
+        constexpr int kMostIterations = 8000;  // of Newton's method, in all parts: two for each of the least
+        stage_.allow(kMostIterations);
+        halved_ = false;
         // There may be no motion to be found: what watches over values is to see that.
         if (halve_until_found(system, x, v, h, 0)) return;
         constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -52,6 +55,7 @@ public:
     /// Stiff parts are taken out of the error by the last stage's matrix, as the method takes them out of the
     /// motion.
     double error(DynamicSystem& system) override {
+        if (halved_) return std::numeric_limits<double>::infinity();  // only of its last part is it known
         system.solve(error_v_, v_base_);
         double largest = 0;
         for (std::size_t i = 0; i < error_x_.size(); ++i)
@@ -69,6 +73,7 @@ private:
                            int depth) {
         constexpr int kDeepest = 12;
         if (try_step(system, x, v, h)) return true;
+        halved_ = true;
         return depth < kDeepest && halve_until_found(system, x, v, h / 2, depth + 1) &&
                halve_until_found(system, x, v, h / 2, depth + 1);
     }
@@ -117,6 +122,7 @@ private:
     std::vector<double> error_x_, error_v_;  ///< of the last step
     NewtonStage stage_;
     double g_ = 0;            ///< s, of the last step
+    bool halved_ = false;     ///< the last step was taken in parts
     bool has_slope_ = false;  ///< a_ is that of the state the last step ended in
 };
 

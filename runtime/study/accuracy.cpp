@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kRungs = 9;
 constexpr int kReferenceRungs = 13;
-constexpr double kResolved = 3;  // times the reference's uncertainty: below, an error says nothing
+constexpr double kResolved = 3;   // times the reference's uncertainty: below, an error says nothing
+constexpr double kStill = 1e-12;  // m: what moves less stands still
 constexpr double kReferenceShare = 0.2;
 
 class AccuracyStudy {
@@ -124,14 +125,14 @@ private:
         double elapsed = 0;
         for (std::size_t k = 0; k < rungs.size(); ++k) {
             if (2 * elapsed > share.left() || !run_rung(rungs[k], share, whole, elapsed))
-                return leave_out(rungs[k].method, rungs.size() - k);
+                return leave_out(rungs[k].method, rungs.size() - k, rungs.size());
             done(k + 1);
         }
     }
 
-    void leave_out(const std::string& method, std::size_t count) {
+    void leave_out(const std::string& method, std::size_t count, std::size_t rungs) {
         result_.sentences.push_back(
-            fmt::format("{}: its {} finest of {} rungs were left out for lack of time", method, count, kRungs));
+            fmt::format("{}: its {} finest of {} rungs were left out for lack of time", method, count, rungs));
     }
 
     // Repeats take at most a tenth of the method's time: what runs long varies little.
@@ -175,11 +176,18 @@ private:
         result_.front = pareto_front(resolved);
         std::vector<std::string> found;
         if (result_.displacement_m <= kResolved * result_.uncertainty_m)
-            found.emplace_back("nothing moves in this scene: only runs that break its rest have an error");
-        for (const int decade : decades(resolved))
+            found.push_back(
+                result_.displacement_m <= kStill
+                    ? "nothing moves in this scene: only runs that break its rest have an error"
+                    : fmt::format("the references are {:.2g} m apart, and the motion reaches {:.2g} m: no "
+                                  "error can be told from doubt here",
+                                  result_.uncertainty_m, result_.displacement_m));
+        for (const int decade : decades(resolved)) {
+            if (std::pow(10, decade - 1) > result_.displacement_m) continue;  // to stand still errs less
             if (const auto best = cheapest_within(certain, std::pow(10, decade)))
                 found.push_back(fmt::format("within 1e{} m: {}, {:.2g} s", decade,
                                             to_string(result_.rows[*best].rung), result_.rows[*best].wall_s));
+        }
         result_.sentences.insert(result_.sentences.begin(), found.begin(), found.end());
     }
 

@@ -134,8 +134,7 @@ constexpr const char* kHowToRead =
     "runs that no other one beats in both (bold in the table). Hollow marks lie within three times the "
     "reference's own "
     "uncertainty: their true error is at most about that. Run times are medians of repeated runs; they leave "
-    "out set-up "
-    "and include what the module spends on estimating its own error.</p>\n";
+    "out set-up and what the module spends on estimating its own error.</p>\n";
 
 constexpr const char* kStatistics =
     "<p>Mean energy, frequency and power are relative differences from the reference over the whole run; "

@@ -82,6 +82,9 @@ void Subject::choose_methods(const StudySettings& settings) {
     };
     for (const std::string& method : settings.methods) check("--method", method);
     for (const std::string& method : settings.references) check("--references", method);
+    if (settings.references.size() == 2 && settings.references[0] == settings.references[1])
+        refuse(fmt::format("--references {0},{0}: a method cannot confirm itself; expected two different ones",
+                           settings.references[0]));
     if (!settings.references.empty()) manifest_.study->references = settings.references;
     for (const std::string& method : known)
         if (settings.methods.empty() || contains(settings.methods, method)) methods_.push_back(method);
