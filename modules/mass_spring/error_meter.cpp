@@ -2,23 +2,20 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace orbweaver::mass_spring {
-
-ErrorMeter::ErrorMeter(int order) noexcept {
-    const auto power = static_cast<double>(std::uint64_t{1} << order);
-    factor_ = power / (power - 1);
-}
 
 bool ErrorMeter::samples(std::uint64_t frame) noexcept {
     constexpr std::uint64_t kInterval = 64;
     return frame % kInterval == 0 || (frame < kInterval && std::has_single_bit(frame));
 }
 
-void ErrorMeter::add(std::span<const Vec3> whole, std::span<const Vec3> halved) noexcept {
+void ErrorMeter::add(std::span<const Vec3> whole, std::span<const Vec3> halved, int order) noexcept {
+    const double power = std::ldexp(1.0, order);
     double largest = 0;
     for (std::size_t i = 0; i < whole.size(); ++i) largest = std::max(largest, distance(whole[i], halved[i]));
-    last_ = factor_ * largest;
+    last_ = power / (power - 1) * largest;
     sum_ += last_ * static_cast<double>(frames_since_);
     frames_ += frames_since_;
     frames_since_ = 0;

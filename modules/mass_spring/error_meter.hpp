@@ -13,12 +13,10 @@ namespace orbweaver::mass_spring {
 /// for the frames since the one before.
 class ErrorMeter {
 public:
-    explicit ErrorMeter(int order) noexcept;
-
     static bool samples(std::uint64_t frame) noexcept;
     /// Positions at the frame's end, m, with steps of h and of h/2. By Richardson, the error of the former is
-    /// their difference times 2^p/(2^p - 1), p the method's order.
-    void add(std::span<const Vec3> whole, std::span<const Vec3> halved) noexcept;
+    /// their difference times 2^p/(2^p - 1), p the order of convergence.
+    void add(std::span<const Vec3> whole, std::span<const Vec3> halved, int order) noexcept;
     void count_frame() noexcept { ++frames_since_; }
     /// Of the steps of a frame, m, by an embedded method; instead of add() and count_frame().
     void add_embedded(double error, std::int64_t steps) noexcept;
@@ -27,7 +25,6 @@ public:
     std::string how() const;
 
 private:
-    double factor_;
     double sum_ = 0;   ///< m, over the frames that samples stand for
     double last_ = 0;  ///< m, of the last sample
     std::uint64_t samples_ = 0;

@@ -88,6 +88,11 @@ ControlledRun Integrator::advance_within(std::span<Vec3> x, std::span<Vec3> v, d
     return run;
 }
 
+int Integrator::order() const noexcept {
+    constexpr int kSplit = 2;
+    return system_->creep_count() > 0 ? std::min(info_->order, kSplit) : info_->order;
+}
+
 std::size_t Integrator::memory_bytes() const noexcept {
     return method_->memory_bytes() +
            (x_.capacity() + v_.capacity() + start_x_.capacity() + start_v_.capacity()) * sizeof(double);

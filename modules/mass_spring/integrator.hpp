@@ -34,6 +34,8 @@ public:
     /// methods with an embedded order, whose errors do not count what arms err: of systems without any put on.
     ControlledRun advance_within(std::span<Vec3> x, std::span<Vec3> v, double span, double tolerance,
                                  double first, std::int64_t most_steps);
+    /// Of convergence of advance().
+    int order() const noexcept;
     std::size_t memory_bytes() const noexcept;
 
 private:

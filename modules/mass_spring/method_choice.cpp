@@ -21,6 +21,7 @@ constexpr std::array<std::string_view, 5> kCandidates = {"rk4", "tr_bdf2", "tsit
 struct TrialRun {
     std::vector<std::vector<Vec3>> x;
     double cost = 0;  ///< s a frame
+    int order = 0;    ///< of convergence
 };
 
 class Trials {
@@ -38,19 +39,21 @@ public:
         if (substeps == 0) return;
         const double evaluations = static_cast<double>(substeps * method.evaluations);
         if (too_long(evaluations * system_.evaluation_seconds(), best)) return;
-        TrialRun here = run(method, substeps);
+        std::optional<TrialRun> here = run(method, substeps);
         std::optional<MethodTrial> nearest;
         double least = HUGE_VAL;
         int idle = 0;
-        for (int rung = 0; rung < kMostRungs && !too_long(2 * here.cost, best); ++rung, substeps *= 2) {
-            TrialRun halved = run(method, 2 * substeps);
+        for (int rung = 0; rung < kMostRungs && here && !too_long(2 * here->cost, best);
+             ++rung, substeps *= 2) {
+            std::optional<TrialRun> halved = run(method, 2 * substeps);
+            if (!halved) break;
             const MethodTrial trial{&method, goal_.frame_step / static_cast<double>(substeps),
-                                    error_of(method, here, halved), here.cost};
+                                    error_of(*here, *halved), here->cost};
             here = std::move(halved);
             if (std::isfinite(trial.error) && better(trial, nearest)) nearest = trial;
             idle = trial.error < least ? 0 : idle + 1;
             least = std::min(least, trial.error);
-            if (meets_tolerance(trial) || over_budget(here.cost) || idle == kMostIdle) break;
+            if (meets_tolerance(trial) || over_budget(here->cost) || idle == kMostIdle) break;
         }
         if (nearest) tried_.push_back(*nearest);
         if (nearest && better(*nearest, best)) best = nearest;
@@ -82,14 +85,17 @@ private:
 
     /// Whether trials at that cost of a frame take longer than a choice is worth, or cannot be better.
     bool too_long(double cost, const std::optional<MethodTrial>& best) const {
-        constexpr double kMostSeconds = 0.6;  // of one trial
         if (cost * kTrialFrames * static_cast<double>(load_count()) > kMostSeconds) return true;
         return best && meets_tolerance(*best) && cost > 2 * best->cost;
     }
 
+    static constexpr double kMostSeconds = 0.6;  ///< of work, of one trial
+
     std::size_t load_count() const { return std::max<std::size_t>(1, loads_.size()); }
 
-    TrialRun run(const MethodInfo& method, std::int64_t substeps) {
+    /// Nothing where it takes longer than a choice is worth: of implicit methods it shows only then.
+    std::optional<TrialRun> run(const MethodInfo& method, std::int64_t substeps) {
+        constexpr double kMostSpent = 2 * kMostSeconds;  // s of work
         TrialRun done;
         const double before = system_.work_seconds();
         const double h = goal_.frame_step / static_cast<double>(substeps);
@@ -100,23 +106,25 @@ private:
             std::vector<Vec3> x(x_.begin(), x_.end()), v(x_.size());
             system_.put_on_arms(x_);
             Integrator integrator(system_, method);
-            for (int frame = 0; frame < kTrialFrames; ++frame) {
+            done.order = integrator.order();
+            for (int frame = 0; frame < kTrialFrames && system_.work_seconds() - before < kMostSpent; ++frame) {
                 integrator.advance(x, v, h, substeps);
                 done.x.push_back(x);
             }
         }
         system_.set_surroundings(surroundings_);
+        if (done.x.size() < kTrialFrames * load_count()) return std::nullopt;
         done.cost = (system_.work_seconds() - before) / (kTrialFrames * static_cast<double>(load_count()));
         return done;
     }
 
     /// Of the run, m.
-    double error_of(const MethodInfo& method, const TrialRun& whole, const TrialRun& halved) const {
+    double error_of(const TrialRun& whole, const TrialRun& halved) const {
         double largest = 0;
         for (std::size_t end = 0; end < whole.x.size(); ++end)
             for (std::size_t i = 0; i < x_.size(); ++i)
                 largest = larger(largest, distance(whole.x[end][i], halved.x[end][i]));
-        const double power = std::ldexp(1.0, method.order);
+        const double power = std::ldexp(1.0, whole.order);
         return largest * power / (power - 1) * goal_.frames / kTrialFrames;
     }
 
@@ -135,6 +143,10 @@ std::string describe(const MethodTrial& trial) {
 
 std::string sentence_of(const MethodChoice& choice, const ChoiceGoal& goal,
                         const std::vector<MethodTrial>& tried) {
+    if (tried.empty())
+        return "a frame of any method takes too long to be tried; " + std::string(choice.chosen.method->name) +
+               " in steps of " + seconds_text(choice.chosen.step) +
+               ", which is stable at every step, is taken untried";
     std::string text =
         describe(choice.chosen) + " is " +
         (goal.tolerance > 0 ? "the cheapest within " + number_text(goal.tolerance) + " m"

@@ -55,7 +55,7 @@ void check_law(const MaterialLaw& law, std::size_t index, std::vector<NetworkFau
     check_constant(law.stiffening, "stiffening", "1/m^2", index, faults);
     check_constant(law.arm, "relaxing stiffness", "N/m", index, faults);
     const std::string name = "spring " + std::to_string(index);
-    if (law.is_curved() && !(law.softening * law.softening < 3 * law.stiffening))
+    if (!law.rises())
         faults.push_back({Element::spring, index,
                           name + " softens by " + number_text(law.softening) + " 1/m and stiffens by " +
                               number_text(law.stiffening) +
@@ -102,6 +102,11 @@ bool is_curved(const Network& network) noexcept {
 bool has_arms(const Network& network) noexcept {
     return std::any_of(network.springs.begin(), network.springs.end(),
                        [](const Spring& spring) { return spring.law.arm > 0; });
+}
+
+bool is_damped(const Network& network) noexcept {
+    return std::any_of(network.springs.begin(), network.springs.end(),
+                       [](const Spring& spring) { return spring.damping > 0; });
 }
 
 std::vector<NetworkFault> validate(const Network& network, std::span<const Vec3> positions) {

@@ -15,12 +15,14 @@ namespace orbweaver::mass_spring {
 /// - q) while its dashpot creeps, dq/dt = (e - q)/tau: the two are a standard linear solid, whose cycles are
 /// loops.
 struct MaterialLaw {
-    double softening = 0;        ///< a, 1/m, >= 0; a^2 < 3 b, or both 0, so that more stretch always bears more
+    double softening = 0;        ///< a, 1/m, >= 0; see rises()
     double stiffening = 0;       ///< b, 1/m^2, >= 0
     double arm = 0;              ///< k1, N/m, >= 0; 0: no Maxwell element
     double relaxation_time = 0;  ///< tau, s, > 0 where there is an arm
 
     bool is_curved() const noexcept { return softening > 0 || stiffening > 0; }
+    /// Whether more stretch always bears more.
+    bool rises() const noexcept { return !is_curved() || softening * softening < 3 * stiffening; }
 };
 
 /// A damped spring between particles a and b (thesis 4.14):
@@ -44,9 +46,10 @@ struct Network {
     std::size_t size() const noexcept { return mass.size(); }
 };
 
-/// Whether any of its springs has a curve, or an arm.
+/// Whether any of its springs has a curve, an arm, or damping.
 bool is_curved(const Network& network) noexcept;
 bool has_arms(const Network& network) noexcept;
+bool is_damped(const Network& network) noexcept;
 
 /// A fault of a network, in words, with the element it lies in.
 struct NetworkFault {

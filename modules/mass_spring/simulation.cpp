@@ -22,7 +22,6 @@ Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double
       creep_(creep),
       integrator_(system, *settings_.method),
       watch_(x),
-      error_(settings_.method->order),
       start_x_(x.begin(), x.end()),
       start_v_(v.begin(), v.end()),
       trial_x_(x.size()),
@@ -227,7 +226,7 @@ void Simulation::measure_error(std::int64_t count) {
     std::copy(start_x_.begin(), start_x_.end(), trial_x_.begin());
     std::copy(start_v_.begin(), start_v_.end(), trial_v_.begin());
     system_->set_creep(creep_);
-    if (integrate(trial_x_, trial_v_, 2 * count)) error_.add(x_, trial_x_);
+    if (integrate(trial_x_, trial_v_, 2 * count)) error_.add(x_, trial_x_, integrator_.order());
     system_->set_creep(end_creep_);
     error_seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
 }

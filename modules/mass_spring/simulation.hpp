@@ -48,8 +48,8 @@ public:
     /// the constructor, with x and v untouched, when the configuration has come to need shorter steps than the
     /// settings allow.
     ///
-    /// Within a tolerance, the method chooses its steps and refuses those that err; none is advised. Throws
-    /// Fault(diverged) where no step errs little enough, or a frame would take more than max_substeps.
+    /// Within a tolerance, the method chooses its steps, the first by the advice, and refuses those that err.
+    /// Throws Fault(diverged) where no step errs little enough, or a frame would take more than max_substeps.
     void advance(std::uint64_t frame, double time);
 
     /// Between frames, after springs of the network were added, removed, cut or given other constants (see
@@ -60,8 +60,9 @@ public:
     const Advice& advice() const noexcept;
     std::uint64_t steps() const noexcept;  ///< of the method, error estimation not counted
     double substep() const noexcept;       ///< s, in use now
-    /// Largest position error expected at the run's end, m: order-aware step doubling on sampled frames,
-    /// mean per frame times frames run. Not a bound where the system itself is chaotic.
+    /// Largest position error expected at the run's end, m: what the steps' own estimates add up to within a
+    /// tolerance; else order-aware step doubling on sampled frames, each standing for those since the one
+    /// before. Not a bound where the system itself is chaotic.
     double error_estimate() const noexcept;
     std::string error_method() const;                                 ///< how, over how many frames
     double error_seconds() const noexcept { return error_seconds_; }  ///< wall time that the estimate took

@@ -36,10 +36,11 @@ inline double largest_slope(const Spring& s) noexcept {
     return std::max(s.stiffness, tension_at(s, s.rest_length).slope) + s.law.arm;
 }
 
-/// What a spring's pull is of its extent l = x_a - x_b: pull = factor * l, with
+/// What a spring's pull is of its extent l = x_a - x_b, `length` m long: pull = factor * l, with
 /// factor = [T + c (dl/dt . l)/|l|]/|l| (thesis 4.14). `dl` is dl/dt.
-inline double pull_factor(const Vec3& l, const Vec3& dl, double tension, double damping) noexcept {
-    const double inverse = 1 / (std::sqrt(dot(l, l)) + kNoLength);
+inline double pull_factor(const Vec3& l, double length, const Vec3& dl, double tension,
+                          double damping) noexcept {
+    const double inverse = 1 / (length + kNoLength);
     return (tension + damping * dot(l, dl) * inverse) * inverse;
 }
 

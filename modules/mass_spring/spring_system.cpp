@@ -143,7 +143,8 @@ void SpringSystem::forces(std::span<const Vec3> x, std::span<const Vec3> v, std:
     for (std::size_t i = 0; i < network_->springs.size(); ++i) {
         const Spring& s = network_->springs[i];
         const Vec3 l = x[s.a] - x[s.b];
-        const Vec3 pull = l * pull_factor(l, v[s.a] - v[s.b], tension(i, norm(l)).force, s.damping);
+        const double length = norm(l);
+        const Vec3 pull = l * pull_factor(l, length, v[s.a] - v[s.b], tension(i, length).force, s.damping);
         f[s.a] -= pull;
         f[s.b] += pull;
     }

@@ -80,8 +80,9 @@ public:
     /// Arms (see MaterialLaw) bear nothing, as if there were none, until they are put on: from then on they
     /// bear nothing at x, and their dashpots creep. No effect where there are none.
     void put_on_arms(std::span<const Vec3> x);
-    /// m, of the dashpots of all springs that have an arm, in order; `length` of them. 0: none are put on.
+    /// How many creeps there are: one a spring, 0 where none are put on.
     std::size_t creep_count() const noexcept;
+    /// q of the dashpots (m), creep_count() of them in order of the springs.
     void get_creep(std::span<double> creep) const noexcept;
     void set_creep(std::span<const double> creep) noexcept;
     /// The dashpots creep for h seconds at packed x. With arms put on.

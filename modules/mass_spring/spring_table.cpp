@@ -54,26 +54,39 @@ std::vector<Run> find_runs(const std::vector<Link>& links) {
 
 constexpr std::uint32_t round_up(std::uint32_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
 
-void add_quads(const Network& network, const std::vector<Link>& links, const Run& run, SpringTable& table) {
+void add_quads(const std::vector<Link>& links, const Run& run, SpringTable& table) {
     const Link& start = links[run.first];
-    const std::size_t base = table.quads.size();
+    const auto base = static_cast<std::uint32_t>(table.quads.size()) * kLanes;
     for (std::uint32_t i = 0; i < run.length; i += kLanes)
         table.quads.push_back({start.a + i, start.a + i + start.offset, run.slot + i, {}, {}});
+    for (std::size_t i = run.first; i < run.end; ++i)
+        table.place[links[i].spring] = base + links[i].a - start.a;
+}
+
+void fill_constants(const std::vector<Spring>& springs, SpringTable& table) {
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+        SpringTable::Quad& quad = table.quads[table.place[i] / kLanes];
+        quad.rest_length[table.place[i] % kLanes] = springs[i].rest_length;
+        quad.stiffness[table.place[i] % kLanes] = springs[i].stiffness;
+    }
+}
+
+void fill_damping(const std::vector<Spring>& springs, SpringTable& table) {
     table.damping.resize(table.quads.size());
+    for (std::size_t i = 0; i < springs.size(); ++i)
+        table.damping[table.place[i] / kLanes][table.place[i] % kLanes] = springs[i].damping;
+}
+
+void fill_laws(const std::vector<Spring>& springs, SpringTable& table) {
     table.laws.resize(table.quads.size());
-    for (std::size_t i = run.first; i < run.end; ++i) {
-        const Spring& spring = network.springs[links[i].spring];
-        const std::uint32_t place = static_cast<std::uint32_t>(base) * kLanes + links[i].a - start.a;
-        const std::uint32_t quad = place / kLanes, lane = place % kLanes;
-        table.place[links[i].spring] = place;
-        table.quads[quad].rest_length[lane] = spring.rest_length;
-        table.quads[quad].stiffness[lane] = spring.stiffness;
-        table.damping[quad][lane] = spring.damping;
-        SpringTable::Law& law = table.laws[quad];
-        law.softening[lane] = spring.law.softening;
-        law.stiffening[lane] = spring.law.stiffening;
-        law.arm[lane] = spring.law.arm;
-        law.relaxation_rate[lane] = spring.law.arm > 0 ? 1 / spring.law.relaxation_time : 0;
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+        const std::uint32_t lane = table.place[i] % kLanes;
+        const MaterialLaw& from = springs[i].law;
+        SpringTable::Law& law = table.laws[table.place[i] / kLanes];
+        law.softening[lane] = from.softening;
+        law.stiffening[lane] = from.stiffening;
+        law.arm[lane] = from.arm;
+        law.relaxation_rate[lane] = from.arm > 0 ? 1 / from.relaxation_time : 0;
     }
 }
 
@@ -111,17 +124,16 @@ SpringTable::SpringTable(const Network& network)
     for (Run& run : runs) {
         run.slot = slot;
         slot += round_up(run.length + kLanes - 1);  // at least three zeros
-        add_quads(network, links, run, *this);
+        add_quads(links, run, *this);
         add_stretches(run, links[run.first].a, as_a);
         add_stretches(run, links[run.first].a + links[run.first].offset, as_b);
     }
     slots = slot;
     list_incident(as_a, as_b, *this);
-    const bool damped = std::any_of(network.springs.begin(), network.springs.end(),
-                                    [](const Spring& spring) { return spring.damping > 0; });
-    if (!damped) damping = {};
+    fill_constants(network.springs, *this);
+    if (is_damped(network)) fill_damping(network.springs, *this);
+    if (is_curved(network) || has_arms(network)) fill_laws(network.springs, *this);
     if (!has_arms(network)) place = {};
-    if (!has_arms(network) && !is_curved(network)) laws = {};
     for (std::size_t i = 0; i < network.size(); ++i)
         inverse_mass[i] = network.fixed[i] != 0 ? 0 : 1 / network.mass[i];
     for (std::size_t i = 0; i < inverse_mass.size(); ++i) {

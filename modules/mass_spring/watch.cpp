@@ -22,8 +22,9 @@ std::array<Term, 4> terms_on(const SpringSystem& system, std::span<const Vec3> x
         if (s.a != particle && s.b != particle) continue;
         const double sign = s.a == particle ? -1 : 1;
         const Vec3 l = x[s.a] - x[s.b];
-        elastic += sign * l * pull_factor(l, {}, system.tension(i, norm(l)).force, 0);
-        damping += sign * l * pull_factor(l, v[s.a] - v[s.b], 0, s.damping);
+        const double length = norm(l);
+        elastic += sign * l * pull_factor(l, length, {}, system.tension(i, length).force, 0);
+        damping += sign * l * pull_factor(l, length, v[s.a] - v[s.b], 0, s.damping);
     }
     return {{{"external force", system.external_force(particle)},
              {"spring force", elastic},

@@ -94,10 +94,12 @@ double length_of(const Layout& layout, const Piece& piece) {
     return distance(layout.positions[piece.a], layout.positions[piece.b]);
 }
 
-/// At which a silk bears `tension`, found from above: EA s (1 - a s + b s^2) rises with s for every sound law.
+/// At which a silk bears `tension`, or the least more that doubles can tell: EA s (1 - a s + b s^2) rises with
+/// s for every sound law.
 double strain_at(const Silk& silk, double tension) {
     constexpr int kMostRounds = 200;
     const double sought = tension / silk.axial_stiffness;
+    if (!law_of(silk, 1).is_curved()) return sought;
     const auto bears = [&](double s) { return s * (1 + s * (silk.stiffening * s - silk.softening)); };
     double low = 0, high = sought;
     while (bears(high) < sought) high *= 2;

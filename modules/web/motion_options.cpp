@@ -27,6 +27,9 @@ std::string methods_with_tolerance() {
 }
 
 void check_goal(const Options& options, Diagnostics& faults) {
+    if (options.has("step"))
+        faults.push_back({options.where("step"), "method auto is told a step, which it chooses itself",
+                          "no step, or the name of a method", "remove one of the two"});
     if (options.has("tolerance") != options.has("budget")) return;
     faults.push_back({options.where("method"),
                       std::string("method auto has ") + (options.has("budget") ? "two goals" : "no goal"),
@@ -58,6 +61,10 @@ Motion read_motion(const Options& options, Diagnostics& faults) {
         check_goal(options, faults);
         return motion;
     }
+    if (options.has("budget"))
+        faults.push_back({options.where("budget"),
+                          "method " + options.text("method") + " is given a budget, by which only auto chooses",
+                          "a budget with method auto", "remove it, or choose auto"});
     settings.step = options.has("step") ? options.number("step") : 0;
     settings.tolerance = tolerance;
     check_tolerance(options, settings, faults);

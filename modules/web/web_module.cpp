@@ -30,12 +30,18 @@ public:
         for (const Piece& piece : web_.layout.pieces)
             segments_.push_back({piece.a, piece.b, static_cast<std::uint32_t>(piece.kind)});
         make_state(host);
+        if (motion.settings.method == nullptr) make_choice_state(host);
         make_system(host);
         if (host.options().flag("settle")) settle(host);
         start_residual_ = residual();
         system_->use_linear_solver(motion.linear_solver);
         if (motion.settings.method == nullptr) choose(host, motion);
-        make_simulation(host, motion.settings);
+        settings_ = std::move(motion.settings);
+        settings_.describe_spring = [this](std::size_t i) { return describe_spring(i); };
+        settings_.warn = [&host](const std::string& sentence) { host.log(LogLevel::warning, sentence); };
+        frame_step_ = host.scene().step;
+        make_simulation();
+        offer_telemetry(host);
         host.provide<Threads>(*this);
     }
 
@@ -44,8 +50,27 @@ public:
         if (phase == Phase::integrate) simulation_->advance(frame.index, frame.time);
     }
 
+    /// A run goes on with the method that it chose when it began, whatever it would choose now.
+    void restored() override {
+        if (chosen_method_.empty()) return;
+        const auto methods = mass_spring::methods();
+        if (chosen_method_[0] >= methods.size() || !(chosen_step_[0] > 0))
+            throw Fault(FaultKind::invalid, "the state was saved with a method that is not known here");
+        const mass_spring::MethodInfo& method = methods[chosen_method_[0]];
+        if (settings_.method == &method && settings_.step == chosen_step_[0]) return;
+        settings_.method = &method;
+        settings_.step = chosen_step_[0];
+        choice_ = fmt::format("{} at {:.3g} s was chosen by the run that this one goes on from", method.name,
+                              settings_.step);
+        const double substep = substep_[0];
+        const std::vector<double> creep(creep_.begin(), creep_.end());
+        make_simulation();
+        substep_[0] = substep;
+        std::copy(creep.begin(), creep.end(), creep_.begin());
+    }
+
     void report(ModuleReport& report) override {
-        report.method = method_;
+        report.method = settings_.method->name;
         report.steps = simulation_->steps();
         report.memory_bytes = memory_bytes();
         report.has_error = true;
@@ -93,12 +118,17 @@ private:
         system_->set_surroundings(surroundings_);
     }
 
-    void make_simulation(Host& host, mass_spring::SimulationSettings settings) {
-        method_ = settings.method->name;
-        settings.describe_spring = [this](std::size_t i) { return describe_spring(i); };
-        settings.warn = [&host](const std::string& sentence) { host.log(LogLevel::warning, sentence); };
-        simulation_ = std::make_unique<mass_spring::Simulation>(*system_, settings, host.scene().step,
-                                                                position_, velocity_, substep_, creep_);
+    void make_choice_state(Host& host) {
+        chosen_method_ = host.state().words("chosen_method", 1, {"1", "number of the method chosen", false});
+        chosen_step_ = host.state().scalars("chosen_step", 1, {"s", "step chosen with it", false});
+    }
+
+    void make_simulation() {
+        simulation_ = std::make_unique<mass_spring::Simulation>(*system_, settings_, frame_step_, position_,
+                                                                velocity_, substep_, creep_);
+    }
+
+    void offer_telemetry(Host& host) {
         host.telemetry("energy_j", [this] { return energy().total(); });
         host.telemetry("kinetic_energy_j", [this] { return energy().kinetic; });
         host.telemetry("max_strain", [this] { return measure_threads(web_.network, position_).max_strain; });
@@ -119,6 +149,8 @@ private:
         const auto choice = choose_method(*system_, surroundings_, position_, loads, goal);
         motion.settings.method = choice.chosen.method;
         motion.settings.step = choice.chosen.step;
+        chosen_method_[0] = static_cast<std::uint64_t>(choice.chosen.method - mass_spring::methods().data());
+        chosen_step_[0] = choice.chosen.step;
         choice_ = choice.sentence;
         host.log(choice.meets_goal ? LogLevel::info : LogLevel::warning, choice_);
     }
@@ -190,14 +222,17 @@ private:
 
     Web web_;
     std::vector<ThreadSegment> segments_;
-    std::span<Vec3> position_;   // state, m
-    std::span<Vec3> velocity_;   // state, m/s
-    std::span<double> substep_;  // state, s
-    std::span<double> creep_;    // state, m; empty where no thread has a hysteresis
+    std::span<Vec3> position_;                // state, m
+    std::span<Vec3> velocity_;                // state, m/s
+    std::span<double> substep_;               // state, s
+    std::span<double> creep_;                 // state, m; empty where no thread has a hysteresis
+    std::span<std::uint64_t> chosen_method_;  // state, its place in mass_spring::methods(); empty: it was said
+    std::span<double> chosen_step_;           // state, s; empty as well
     std::unique_ptr<mass_spring::SpringSystem> system_;
     std::unique_ptr<mass_spring::Simulation> simulation_;
+    mass_spring::SimulationSettings settings_;
+    double frame_step_ = 0;  // s
     mass_spring::Surroundings surroundings_;
-    std::string method_;
     std::string choice_;  // of method auto, in words
     const WindField* wind_ = nullptr;
     std::vector<Vec3> air_velocity_;  // m/s, sampled this frame

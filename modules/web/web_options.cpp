@@ -51,7 +51,7 @@ bool check_materials(const Options& options, Diagnostics& faults) {
 }
 
 void check_curve(const Options& options, const std::string& kind, const Silk& silk, Diagnostics& faults) {
-    if (silk.softening == 0 || silk.softening * silk.softening < 3 * silk.stiffening) return;
+    if (law_of(silk, 1).rises()) return;
     const std::string key = "material." + kind + ".";
     faults.push_back({options.where(key + "softening"),
                       "the " + kind + " threads would bear less when stretched more",

@@ -79,6 +79,23 @@ TEST_CASE("with every method a run repeats, and goes on from a snapshot to the s
     CHECK(hash_after(resumed, 70) == expected);
 }
 
+TEST_CASE("a restored run goes on with the method that it chose, whatever it would choose now", "[scene]") {
+    const auto lasting = [](const char* duration) {
+        return std::vector<std::string>{"web.method=auto", "web.tolerance=1e-5",
+                                        "scene.duration=" + std::string(duration)};
+    };
+    OpenScene whole = open_scene("strand", {}, lasting("0.1"));
+    hash_after(whole, 7);
+    const std::string snapshot = save_snapshot(*whole.session);
+    const std::uint64_t expected = hash_after(whole, 20);
+
+    OpenScene other = open_scene("strand", {}, lasting("1000"));
+    restore_snapshot(*other.session, snapshot, "the snapshot");
+    CHECK(hash_after(other, 20) == expected);
+    OpenScene fresh = open_scene("strand", {}, lasting("1000"));
+    CHECK(hash_after(fresh, 27) != expected);
+}
+
 TEST_CASE("another seed gives another web", "[scene]") {
     OpenScene one = open_scene("meadow");
     OpenScene other = open_scene("meadow", {}, {"scene.seed=12345"});

@@ -7,11 +7,11 @@ using orbweaver::Vec3;
 using orbweaver::mass_spring::ErrorMeter;
 
 TEST_CASE("a sample is Richardson's estimate and stands for the frames before it", "[unit]") {
-    ErrorMeter meter(1);
+    ErrorMeter meter;
     const std::vector<Vec3> whole{{0, 0, 0}, {1, 0, 0}};
     const std::vector<Vec3> halved{{0, 0, 0}, {1, 3e-6, 4e-6}};
     for (int i = 0; i < 10; ++i) meter.count_frame();
-    meter.add(whole, halved);  // 5e-6 * 2/(2 - 1), for ten frames
+    meter.add(whole, halved, 1);  // 5e-6 * 2/(2 - 1), for ten frames
     CHECK(meter.estimate() == Approx(1e-4).epsilon(1e-12));
     for (int i = 0; i < 5; ++i) meter.count_frame();
     CHECK(meter.estimate() == Approx(1.5e-4).epsilon(1e-12));
@@ -29,7 +29,7 @@ TEST_CASE("frames are sampled at powers of two, then every 64", "[unit]") {
 }
 
 TEST_CASE("an embedded method's errors are added up", "[unit]") {
-    ErrorMeter meter(5);
+    ErrorMeter meter;
     meter.add_embedded(1e-6, 3);
     meter.add_embedded(2e-6, 4);
     CHECK(meter.estimate() == Approx(3e-6).epsilon(1e-12));

@@ -60,3 +60,15 @@ TEST_CASE("an automatic choice has one goal", "[unit]") {
                Catch::StartsWith("scene.toml:1:10: method auto has no goal; expected either"));
     CHECK_THAT(to_string(faults[1]), Catch::StartsWith("scene.toml:1:10: method auto has two goals; expected"));
 }
+
+TEST_CASE("steps and budgets that nothing would heed are refused", "[unit]") {
+    Diagnostics faults;
+    read_motion(options_of("method = \"auto\"\ntolerance = \"0.1 mm\"\nstep = 1e-3\n"), faults);
+    read_motion(options_of("method = \"rk4\"\nbudget = \"4 ms\"\n"), faults);
+    REQUIRE(faults.size() == 2);
+    CHECK_THAT(
+        to_string(faults[0]),
+        Catch::StartsWith("scene.toml:3:8: method auto is told a step, which it chooses itself; expected"));
+    CHECK_THAT(to_string(faults[1]),
+               Catch::StartsWith("scene.toml:2:10: method rk4 is given a budget, by which only auto chooses"));
+}
