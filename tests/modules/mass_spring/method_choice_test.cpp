@@ -110,3 +110,17 @@ TEST_CASE("what cannot move has a method too", "[extreme]") {
     CHECK(choice.meets_goal);
     CHECK(choice.chosen.error == 0);
 }
+
+TEST_CASE("what takes too long to be tried is not tried, and that is said", "[extreme]") {
+    const Body body = bodies::bead_string(500, 5e-3, 1e-8, 10, 1e-4);
+    const std::vector<std::vector<Vec3>> loads(6000, std::vector<Vec3>(body.x.size(), {0, 0, 2e-7}));
+    SpringSystem system(body.network, nullptr);
+    const MethodChoice choice =
+        choose_method(system, {{0, -9.81, 0}, 1e-8, {}}, body.x, loads, {1.0 / 60, 60, 1e-4, 0});
+    CHECK(choice.sentence ==
+          "a frame of any method takes too long to be tried; tr_bdf2 in steps of 16.67 ms, which is stable at "
+          "every "
+          "step, is taken untried");
+    CHECK(!choice.meets_goal);
+    CHECK(system.work_seconds() < 5);
+}
