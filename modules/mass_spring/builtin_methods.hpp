@@ -10,6 +10,7 @@ std::unique_ptr<Method> make_symplectic_euler(std::size_t length);
 std::unique_ptr<Method> make_verlet(std::size_t length);
 std::unique_ptr<Method> make_rk4(std::size_t length);
 std::unique_ptr<Method> make_tsit5(std::size_t length);
+std::unique_ptr<Method> make_srkn6(std::size_t length);
 std::unique_ptr<Method> make_rkc2(std::size_t length);
 std::unique_ptr<Method> make_implicit_euler(std::size_t length);
 std::unique_ptr<Method> make_tr_bdf2(std::size_t length);

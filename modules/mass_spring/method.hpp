@@ -31,6 +31,7 @@ struct MethodInfo {
     int embedded_order = 0;  ///< the error of a step shrinks with h to this + 1; 0: it gives none
     int evaluations = 0;     ///< of the forces, per step that follows another; 0: as many as it takes
     std::unique_ptr<Method> (*make)(std::size_t length);
+    bool undamped = false;  ///< takes systems whose springs are not damped, which drag may be all the same
 };
 
 /// Every method there is, in the order documents list them.

@@ -6,13 +6,14 @@
 namespace orbweaver::mass_spring {
 
 std::span<const MethodInfo> methods() noexcept {
-    static constexpr std::array<MethodInfo, 10> table{{
-        // name, order, embedded order, evaluations, make
+    static constexpr std::array<MethodInfo, 11> table{{
+        // name, order, embedded order, evaluations, make, whether springs must not be damped
         {"explicit_euler", 1, 0, 1, make_explicit_euler},
         {"symplectic_euler", 1, 0, 1, make_symplectic_euler},
         {"verlet", 2, 0, 2, make_verlet},
         {"rk4", 4, 0, 4, make_rk4},
         {"tsit5", 5, 4, 6, make_tsit5},
+        {"srkn6", 6, 0, 12, make_srkn6, true},
         {"rkc2", 2, 2, 0, make_rkc2},
         {"implicit_euler", 1, 0, 1, make_implicit_euler},
         {"tr_bdf2", 2, 2, 0, make_tr_bdf2},

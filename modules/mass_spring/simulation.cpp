@@ -29,8 +29,16 @@ Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double
     for (std::size_t i = 0; i < v_.size(); ++i) {
         if (system.network().fixed[i] != 0) v_[i] = {};
     }
+    check_damping();
     put_on_arms();
     look();
+}
+
+void Simulation::check_damping() const {
+    if (!settings_.method->undamped || !is_damped(system_->network())) return;
+    throw Fault(FaultKind::invalid, "springs are damped, which " + std::string(settings_.method->name) +
+                                        " does not take: set their damping to 0 and let drag damp, or choose "
+                                        "another method, as tsit5");
 }
 
 void Simulation::put_on_arms() {
@@ -50,6 +58,7 @@ void Simulation::put_on_arms() {
 
 void Simulation::network_changed() {
     system_->network_changed();
+    check_damping();
     const std::vector<double> before(creep_.begin(), creep_.end());
     put_on_arms();
     if (before.size() == creep_.size()) std::copy(before.begin(), before.end(), creep_.begin());

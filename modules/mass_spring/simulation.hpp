@@ -34,7 +34,8 @@ public:
     /// `creep` is as many doubles of the owner's state as the network has springs where it has arms (m, see
     /// SpringSystem::get_creep()), which are put on at x. Another number: kept here, and lost.
     /// A step longer than a frame counts as one frame. Velocities of fixed particles are set to zero.
-    /// Throws Fault(invalid) when a tolerance is asked of a network with arms, and Fault(diverged) when
+    /// Throws Fault(invalid) when a tolerance is asked of a network with arms or an undamped method of a
+    /// network that is damped, and Fault(diverged) when
     /// on_unstable is `stop` and the asked step exceeds the advice, when no step is stable, or when a frame
     /// would need more than max_substeps.
     Simulation(SpringSystem& system, SimulationSettings settings, double frame_step, std::span<Vec3> x,
@@ -71,6 +72,7 @@ public:
     std::size_t memory_bytes() const noexcept;
 
 private:
+    void check_damping() const;
     void put_on_arms();
     void look();
     void choose_first_step();

@@ -1,5 +1,6 @@
 #include "spring_kernel.hpp"
 
+#include "drag_drift.hpp"
 #include "lanes.hpp"
 #include "spring_force.hpp"
 
@@ -39,7 +40,7 @@ ORBWEAVER_INLINE void pulls(const SpringTable& table, const KernelInput& input, 
 
 ORBWEAVER_INLINE void any_pulls(const SpringTable& table, const KernelInput& input, std::size_t begin,
                                 std::size_t end, double* pull) noexcept {
-    const bool damped = !table.damping.empty();
+    const bool damped = !table.damping.empty() && input.v != nullptr;
     if (!table.laws.empty()) {
         damped ? pulls<true, true>(table, input, begin, end, pull)
                : pulls<false, true>(table, input, begin, end, pull);
@@ -70,26 +71,51 @@ ORBWEAVER_INLINE void hold(std::uint32_t lanes, Vec3Lanes& v) noexcept {
     }
 }
 
-ORBWEAVER_INLINE void block_accelerations(const SpringTable& table, const KernelInput& input,
-                                          const double* pull, std::size_t begin, std::size_t end,
-                                          double* a) noexcept {
-    const std::size_t plane = table.packing.plane();
+/// Of block i of particles, N: what springs pull, and what acts from outside but drag.
+ORBWEAVER_INLINE Vec3Lanes block_force(const SpringTable& table, const KernelInput& input, const double* pull,
+                                       std::size_t i) noexcept {
+    const SpringTable::Block block = table.blocks[i];
     const std::uint32_t* slot = table.incident.data();
+    Vec3Lanes sum{};
+    for (std::uint32_t e = block.first; e < block.first_as_b; ++e)
+        sum = sum - load(pull + slot[e], table.slots);
+    for (std::uint32_t e = block.first_as_b; e < block.end; ++e) sum = sum + load(pull + slot[e], table.slots);
+    if (input.external != nullptr)
+        sum = sum + load(input.external + i * Packing::kLanes, table.packing.plane());
+    return sum;
+}
+
+ORBWEAVER_INLINE Vec3Lanes block_acceleration(const SpringTable& table, const KernelInput& input,
+                                              const Vec3Lanes& force, std::size_t i) noexcept {
     const Vec3Lanes gravity{Lanes{} + input.gravity.x, Lanes{} + input.gravity.y, Lanes{} + input.gravity.z};
+    Vec3Lanes a = force * load(&table.inverse_mass[i * Packing::kLanes]) + gravity;
+    if (table.blocks[i].held != 0) hold(table.blocks[i].held, a);
+    return a;
+}
+
+ORBWEAVER_INLINE void any_accelerations(const SpringTable& table, const KernelInput& input, const double* pull,
+                                        std::size_t begin, std::size_t end, double* a) noexcept {
+    const std::size_t plane = table.packing.plane();
     const Lanes drag = Lanes{} + input.drag;
     for (std::size_t i = begin; i < end; ++i) {
-        const SpringTable::Block block = table.blocks[i];
         const std::size_t particle = i * Packing::kLanes;
-        Vec3Lanes sum{};
-        for (std::uint32_t e = block.first; e < block.first_as_b; ++e)
-            sum = sum - load(pull + slot[e], table.slots);
-        for (std::uint32_t e = block.first_as_b; e < block.end; ++e)
-            sum = sum + load(pull + slot[e], table.slots);
-        if (input.external != nullptr) sum = sum + load(input.external + particle, plane);
-        sum = sum - load(input.v + particle, plane) * drag;
-        Vec3Lanes result = sum * load(&table.inverse_mass[particle]) + gravity;
-        if (block.held != 0) hold(block.held, result);
-        store(a + particle, plane, result);
+        const Vec3Lanes force = block_force(table, input, pull, i) - load(input.v + particle, plane) * drag;
+        store(a + particle, plane, block_acceleration(table, input, force, i));
+    }
+}
+
+ORBWEAVER_INLINE void any_kicks(const SpringTable& table, const KernelInput& input, const double* pull,
+                                const KickAndDrift& move, std::size_t begin, std::size_t end) noexcept {
+    const std::size_t plane = table.packing.plane();
+    const Lanes kick = Lanes{} + move.kick;
+    const Lanes drag = Lanes{} + input.drag;
+    for (std::size_t i = begin; i < end; ++i) {
+        const std::size_t particle = i * Packing::kLanes;
+        const Vec3Lanes a = block_acceleration(table, input, block_force(table, input, pull, i), i);
+        const auto dragged = drift_under_drag(drag * load(&table.inverse_mass[particle]), move.drift);
+        const Vec3Lanes v = load(move.v + particle, plane) + a * kick;
+        store(move.x + particle, plane, load(move.x + particle, plane) + v * dragged.way);
+        store(move.v + particle, plane, v - v * dragged.loss);
     }
 }
 
@@ -100,7 +126,12 @@ void plain_pulls(const SpringTable& table, const KernelInput& input, std::size_t
 
 void plain_accelerations(const SpringTable& table, const KernelInput& input, const double* pull,
                          std::size_t begin, std::size_t end, double* a) noexcept {
-    block_accelerations(table, input, pull, begin, end, a);
+    any_accelerations(table, input, pull, begin, end, a);
+}
+
+void plain_kicks(const SpringTable& table, const KernelInput& input, const double* pull,
+                 const KickAndDrift& move, std::size_t begin, std::size_t end) noexcept {
+    any_kicks(table, input, pull, move, begin, end);
 }
 
 void plain_creep(const SpringTable& table, const double* x, double h, std::size_t begin, std::size_t end,
@@ -115,7 +146,12 @@ ORBWEAVER_AVX2 void avx2_pulls(const SpringTable& table, const KernelInput& inpu
 
 ORBWEAVER_AVX2 void avx2_accelerations(const SpringTable& table, const KernelInput& input, const double* pull,
                                        std::size_t begin, std::size_t end, double* a) noexcept {
-    block_accelerations(table, input, pull, begin, end, a);
+    any_accelerations(table, input, pull, begin, end, a);
+}
+
+ORBWEAVER_AVX2 void avx2_kicks(const SpringTable& table, const KernelInput& input, const double* pull,
+                               const KickAndDrift& move, std::size_t begin, std::size_t end) noexcept {
+    any_kicks(table, input, pull, move, begin, end);
 }
 
 ORBWEAVER_AVX2 void avx2_creep(const SpringTable& table, const double* x, double h, std::size_t begin,
@@ -126,12 +162,12 @@ ORBWEAVER_AVX2 void avx2_creep(const SpringTable& table, const double* x, double
 }  // namespace
 
 const SpringKernels& plain_kernels() noexcept {
-    static constexpr SpringKernels kernels{plain_pulls, plain_accelerations, plain_creep};
+    static constexpr SpringKernels kernels{plain_pulls, plain_accelerations, plain_kicks, plain_creep};
     return kernels;
 }
 
 const SpringKernels* avx2_kernels() noexcept {
-    static constexpr SpringKernels kernels{avx2_pulls, avx2_accelerations, avx2_creep};
+    static constexpr SpringKernels kernels{avx2_pulls, avx2_accelerations, avx2_kicks, avx2_creep};
     return has_avx2() ? &kernels : nullptr;
 }
 

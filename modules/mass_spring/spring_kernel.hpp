@@ -10,11 +10,19 @@ namespace orbweaver::mass_spring {
 /// What one evaluation reads besides the table. Vectors per particle are packed (see Packing).
 struct KernelInput {
     const double* x = nullptr;         ///< m
-    const double* v = nullptr;         ///< m/s
+    const double* v = nullptr;         ///< m/s; null: of no motion
     const double* external = nullptr;  ///< N, or null
     const double* creep = nullptr;     ///< m, of arms, as table.place says; null: arms bear nothing
     Vec3 gravity;                      ///< m/s^2
     double drag = 0;                   ///< N s/m
+};
+
+/// Packed positions (m) and velocities (m/s) to be moved, see DynamicSystem::kick_and_drift().
+struct KickAndDrift {
+    double* x = nullptr;
+    double* v = nullptr;
+    double kick = 0;   ///< s
+    double drift = 0;  ///< s
 };
 
 /// The two passes of a force evaluation, over a range of quads, then of blocks. Every set of kernels
@@ -29,6 +37,10 @@ struct SpringKernels {
     /// where fixed.
     void (*accelerations)(const SpringTable& table, const KernelInput& input, const double* pull,
                           std::size_t begin, std::size_t end, double* a) noexcept;
+    /// Another second pass: the accelerations, drag left out, kick the particles of blocks [begin, end), which
+    /// then drift under drag. Of pulls without motion.
+    void (*kicks)(const SpringTable& table, const KernelInput& input, const double* pull,
+                  const KickAndDrift& move, std::size_t begin, std::size_t end) noexcept;
     /// The dashpots of quads [begin, end) creep for h seconds at the lengths of x.
     void (*creep)(const SpringTable& table, const double* x, double h, std::size_t begin, std::size_t end,
                   double* creep) noexcept;

@@ -77,28 +77,45 @@ std::size_t SpringSystem::memory_bytes() const noexcept {
            (external_.capacity() + pull_.capacity() + creep_.capacity()) * sizeof(double);
 }
 
-void SpringSystem::accelerations(std::span<const double> x, std::span<const double> v,
-                                 std::span<double> a) noexcept {
+KernelInput SpringSystem::kernel_input(const double* x, const double* v) const noexcept {
+    return {x,
+            v,
+            external_.empty() ? nullptr : external_.data(),
+            creep_.empty() ? nullptr : creep_.data(),
+            gravity_,
+            drag_};
+}
+
+template <class SecondPass>
+void SpringSystem::evaluate(const KernelInput& input, SecondPass second_pass) noexcept {
     work_ += evaluation_seconds();
-    const KernelInput input{x.data(),
-                            v.data(),
-                            external_.empty() ? nullptr : external_.data(),
-                            creep_.empty() ? nullptr : creep_.data(),
-                            gravity_,
-                            drag_};
     auto pulls = [&](std::size_t begin, std::size_t end) {
         kernels_->pulls(table_, input, begin, end, pull_.data());
     };
-    auto accelerate = [&](std::size_t begin, std::size_t end) {
-        kernels_->accelerations(table_, input, pull_.data(), begin, end, a.data());
-    };
     if (workers_ == nullptr) {
         pulls(0, table_.quads.size());
-        accelerate(0, table_.blocks.size());
+        second_pass(0, table_.blocks.size());
         return;
     }
     workers_->for_each_range(table_.quads.size(), kGrain, pulls);
-    workers_->for_each_range(table_.blocks.size(), kGrain, accelerate);
+    workers_->for_each_range(table_.blocks.size(), kGrain, second_pass);
+}
+
+void SpringSystem::accelerations(std::span<const double> x, std::span<const double> v,
+                                 std::span<double> a) noexcept {
+    const KernelInput input = kernel_input(x.data(), v.data());
+    evaluate(input, [&](std::size_t begin, std::size_t end) {
+        kernels_->accelerations(table_, input, pull_.data(), begin, end, a.data());
+    });
+}
+
+void SpringSystem::kick_and_drift(std::span<double> x, std::span<double> v, double kick,
+                                  double drift) noexcept {
+    const KernelInput input = kernel_input(x.data(), nullptr);
+    const KickAndDrift move{x.data(), v.data(), kick, drift};
+    evaluate(input, [&](std::size_t begin, std::size_t end) {
+        kernels_->kicks(table_, input, pull_.data(), move, begin, end);
+    });
 }
 
 void SpringSystem::use_linear_solver(LinearSolverKind kind) {

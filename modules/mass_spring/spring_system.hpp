@@ -27,6 +27,11 @@ public:
     virtual void accelerations(std::span<const double> x, std::span<const double> v,
                                std::span<double> a) noexcept = 0;
 
+    /// For methods of kicks and drifts, of systems that drag alone damps: v += kick a(x, 0), and then all goes
+    /// on for `drift` seconds, which may be negative, as if nothing acted but drag (see drag_drift.hpp).
+    virtual void kick_and_drift(std::span<double> x, std::span<double> v, double kick,
+                                double drift) noexcept = 0;
+
     /// For stabilised methods: no eigenvalue of the Jacobian is larger, 1/s, however the system may stand.
     virtual double spectral_radius() = 0;
 
@@ -112,6 +117,7 @@ public:
     /// m/s^2; zero for fixed particles.
     void accelerations(std::span<const double> x, std::span<const double> v,
                        std::span<double> a) noexcept override;
+    void kick_and_drift(std::span<double> x, std::span<double> v, double kick, double drift) noexcept override;
     double spectral_radius() override;
     bool prepare(std::span<const double> x, double c, double k, Tangent tangent) override;
     void solve(std::span<const double> r, std::span<double> u) override;
@@ -137,6 +143,11 @@ public:
     void use_kernels(const SpringKernels& kernels) noexcept { kernels_ = &kernels; }
 
 private:
+    KernelInput kernel_input(const double* x, const double* v) const noexcept;
+    /// The springs' pulls, then `second_pass(begin, end)` over all blocks.
+    template <class SecondPass>
+    void evaluate(const KernelInput& input, SecondPass second_pass) noexcept;
+
     const Network* network_;
     Workers* workers_;  ///< null when there are too few springs to share
     SpringTable table_;

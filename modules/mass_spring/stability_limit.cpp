@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "drag_drift.hpp"
+
 namespace orbweaver::mass_spring {
 namespace {
 
@@ -20,6 +22,15 @@ public:
     void accelerations(std::span<const double> x, std::span<const double> v,
                        std::span<double> a) noexcept override {
         for (std::size_t i = 0; i < 2; ++i) a[i] = -squared_ * x[i] - mu_ * v[i];
+    }
+    // What damps is drag: see MethodInfo::undamped.
+    void kick_and_drift(std::span<double> x, std::span<double> v, double kick, double drift) noexcept override {
+        const auto dragged = drift_under_drag(mu_, drift);
+        for (std::size_t i = 0; i < 2; ++i) {
+            v[i] -= kick * squared_ * x[i];
+            x[i] += dragged.way * v[i];
+            v[i] -= dragged.loss * v[i];
+        }
     }
     double spectral_radius() override { return radius_; }
     bool prepare(std::span<const double>, double c, double k, Tangent) override {

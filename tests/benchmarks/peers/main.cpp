@@ -16,7 +16,7 @@ namespace {
 using namespace orbweaver;
 using namespace orbweaver::peers;
 
-constexpr double kPatience = 10;  // s, of one run
+constexpr double kPatience = 8;  // s, of one run
 
 const Contender& find(const Contenders& all, const std::string& name, const std::string& right_side,
                       const std::string& knob) {
@@ -48,14 +48,7 @@ double evaluation(const Problem& problem, MakeRightSide make) {
     return watch.seconds() / kCalls;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) try {
-    if (argc != 2) {
-        std::cerr << "peers: expected the name of a JSON file to write: peers FILE.json\n";
-        return 2;
-    }
-    const Problem problem = web_in_wind();
+Report compare_all(std::string name, const Problem& problem) {
     Contenders all = orbweaver_methods(problem);
     for (const auto& more : {odeint_methods(problem), cvode_methods(problem), bullet_methods(problem)})
         all.insert(all.end(), more.begin(), more.end());
@@ -63,7 +56,8 @@ int main(int argc, char** argv) try {
     const Contender& our_rk4 = find(all, "orbweaver rk4", "orbweaver's", "step");
     const std::vector<Vec3> exact = our_rk4.run(1e-5).x;
     const std::vector<Vec3> again = find(all, "odeint dopri5", "plain", "tolerance").run(1e-12).x;
-    Report report{problem.x.size(),
+    Report report{std::move(name),
+                  problem.x.size(),
                   problem.network.springs.size(),
                   largest_error(exact, problem.x),
                   largest_error(again, exact),
@@ -84,8 +78,21 @@ int main(int argc, char** argv) try {
         std::cerr << each.name << ", " << each.right_side << ", by " << each.knob << '\n';
         report.sweeps.push_back(sweep(each, exact, kPatience));
     }
-    print(report, std::cout);
-    write_json(report, argv[1]);
+    return report;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    if (argc != 2) {
+        std::cerr << "peers: expected the name of a JSON file to write: peers FILE.json\n";
+        return 2;
+    }
+    constexpr double kDamping = 1e-6;  // N s/m, the module's default
+    const std::vector<Report> reports{compare_all("damped by air alone", web_in_wind(0)),
+                                      compare_all("springs damped too", web_in_wind(kDamping))};
+    for (const Report& report : reports) print(report, std::cout);
+    write_json(reports, argv[1]);
     return 0;
 } catch (const std::exception& error) {
     std::cerr << "peers: " << error.what() << '\n';

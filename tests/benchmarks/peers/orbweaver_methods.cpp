@@ -54,6 +54,7 @@ double step_ratio(int order) { return std::pow(1.6, -1.0 / order); }
 Contenders orbweaver_methods(const Problem& problem) {
     Contenders all;
     for (const MethodInfo& method : methods()) {
+        if (method.undamped && is_damped(problem.network)) continue;
         const std::string name = "orbweaver " + std::string(method.name);
         const double first = first_step(problem, method);
         if (first > 0)

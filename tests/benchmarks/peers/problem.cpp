@@ -9,13 +9,12 @@
 
 namespace orbweaver::peers {
 
-Problem web_in_wind() {
-    constexpr double kSpringDamping = 1e-6;  // N s/m, the module's default
+Problem web_in_wind(double spring_damping) {
     const Vec3 kWind{0.03e-6, 0, -0.098e-6};
     Problem problem;
     web::Layout layout = web::test::thesis_layout();
     problem.network =
-        web::find_form(layout, web::test::default_silks(), web::test::kMass, kSpringDamping, problem.gravity);
+        web::find_form(layout, web::test::default_silks(), web::test::kMass, spring_damping, problem.gravity);
     problem.x = layout.positions;
     problem.v.resize(problem.x.size());
     mass_spring::SpringSystem system(problem.network, nullptr);

@@ -22,8 +22,8 @@ struct Problem {
 
 /// The thesis's web, found in form with the shipped silks and settled in still air to 1e-12 N; the wind is a
 /// tenth of the thesis's generator, 0.1 uN on every particle: a breeze, in which the web stays taut. Throws
-/// Fault(diverged) where it does not settle.
-Problem web_in_wind();
+/// Fault(diverged) where it does not settle. `spring_damping` in N s/m.
+Problem web_in_wind(double spring_damping);
 
 /// The largest distance of a particle from where it should be, m; infinite where that is not a number or there
 /// are no particles.

@@ -36,6 +36,19 @@ nlohmann::json to_json(const Sweep& sweep, const Report& report) {
     return json;
 }
 
+nlohmann::json to_json(const Report& report) {
+    nlohmann::json json{{"problem", report.problem},
+                        {"particles", report.particles},
+                        {"springs", report.springs},
+                        {"moved_m", report.moved},
+                        {"reference_doubt_m", report.doubt}};
+    for (const Comparison& c : report.comparisons)
+        json["comparisons"].push_back(
+            {{"what", c.what}, {"our_seconds", c.ours}, {"peer_seconds", c.peers}, {"ratio", c.ratio()}});
+    for (const Sweep& sweep : report.sweeps) json["contenders"].push_back(to_json(sweep, report));
+    return json;
+}
+
 }  // namespace
 
 double Report::our_seconds(std::size_t target) const {
@@ -48,9 +61,9 @@ double Report::our_seconds(std::size_t target) const {
 
 void print(const Report& report, std::ostream& out) {
     out << fmt::format(
-        "{} particles, {} springs, 1 s of wind; the farthest moves by {:.3g} m; two references "
+        "\n{}: {} particles, {} springs, 1 s of wind; the farthest moves by {:.3g} m; two references "
         "differ by {:.2g} m\n\n",
-        report.particles, report.springs, report.moved, report.doubt);
+        report.problem, report.particles, report.springs, report.moved, report.doubt);
     for (const Comparison& c : report.comparisons)
         out << fmt::format("{}: {:.4g} s against our {:.4g} s, {:.2f} times\n", c.what, c.peers, c.ours,
                            c.ratio());
@@ -66,15 +79,9 @@ void print(const Report& report, std::ostream& out) {
     }
 }
 
-void write_json(const Report& report, const std::string& path) {
-    nlohmann::json json{{"particles", report.particles},
-                        {"springs", report.springs},
-                        {"moved_m", report.moved},
-                        {"reference_doubt_m", report.doubt}};
-    for (const Comparison& c : report.comparisons)
-        json["comparisons"].push_back(
-            {{"what", c.what}, {"our_seconds", c.ours}, {"peer_seconds", c.peers}, {"ratio", c.ratio()}});
-    for (const Sweep& sweep : report.sweeps) json["contenders"].push_back(to_json(sweep, report));
+void write_json(const std::vector<Report>& reports, const std::string& path) {
+    nlohmann::json json;
+    for (const Report& report : reports) json.push_back(to_json(report));
     std::ofstream file(path);
     file << json.dump(1) << '\n';
     file.close();

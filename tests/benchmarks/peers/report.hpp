@@ -16,7 +16,9 @@ struct Comparison {
     double ratio() const noexcept { return peers / ours; }
 };
 
+/// Of one problem.
 struct Report {
+    std::string problem;
     std::size_t particles = 0;
     std::size_t springs = 0;
     double moved = 0;  ///< m, the largest way of a particle
@@ -30,6 +32,6 @@ struct Report {
 
 void print(const Report& report, std::ostream& out);
 /// Throws std::runtime_error where the file cannot be written.
-void write_json(const Report& report, const std::string& path);
+void write_json(const std::vector<Report>& reports, const std::string& path);
 
 }  // namespace orbweaver::peers

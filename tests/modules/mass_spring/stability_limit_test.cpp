@@ -31,6 +31,8 @@ TEST_CASE("stability limits agree with theory", "[unit]") {
         {"2/omega", "verlet", 500, 0, 2.0 / 500},
         {"2/mu", "verlet", 0, 40, 2.0 / 40},
         {"3.5068/mu", "tsit5", 0, 40, 3.506846993804929 / 40},
+        {"9.07361/omega", "srkn6", 500, 0, 9.07360940435134 / 500},
+        {"11.2059/mu", "srkn6", 0, 40, 11.2058903815174 / 40},
         {"none undamped", "rkc2", 500, 0, 0},
         {"2/omega", "provot", 500, 0, 2.0 / 500},
         {"none undamped", "explicit_euler", 500, 0, 0},
