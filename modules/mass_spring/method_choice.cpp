@@ -15,7 +15,8 @@ namespace {
 
 constexpr int kTrialFrames = 6;
 constexpr double kMargin = 4;  // motion can grow past what the trials saw
-constexpr std::array<std::string_view, 5> kCandidates = {"rk4", "tr_bdf2", "tsit5", "verlet", "implicit_euler"};
+constexpr std::array<std::string_view, 6> kCandidates = {"rk4",   "tr_bdf2", "tsit5",
+                                                         "srkn6", "verlet",  "implicit_euler"};
 
 /// Where every load's trial was after each of its frames, and what a frame of it cost.
 struct TrialRun {
@@ -33,6 +34,7 @@ public:
     /// Goes down the ladder of a method's steps until the goal is met, or is not to be met as cheaply as
     /// `best`.
     void climb_down(const MethodInfo& method, std::optional<MethodTrial>& best) {
+        if (method.undamped && is_damped(system_.network())) return;
         constexpr int kMostRungs = 14;
         constexpr int kMostIdle = 2;  // rungs that win nothing: down to rounding
         std::int64_t substeps = longest_steps(method);

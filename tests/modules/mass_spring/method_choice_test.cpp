@@ -81,6 +81,17 @@ TEST_CASE("soft threads are for explicit methods, stiff ones for implicit", "[un
     CHECK((stiff.chosen.method->name == "tr_bdf2" || stiff.chosen.method->name == "implicit_euler"));
 }
 
+TEST_CASE("where springs are not damped, little error comes cheapest by kicks and drifts", "[unit]") {
+    Body body = thread(0.1);
+    for (Spring& s : body.network.springs) s.damping = 0;
+    const MethodChoice choice = choose(body, 1e-7, 0);
+    INFO(choice.sentence);
+    CHECK(choice.chosen.method->name == "srkn6");
+    CHECK(choice.meets_goal);
+    CHECK(error_of(body, choice.chosen) <= 1e-7);
+    CHECK_THAT(choose(thread(0.1), 1e-7, 0).sentence, !Catch::Contains("srkn6"));
+}
+
 TEST_CASE("the choice is the same each time, and said", "[unit]") {
     const MethodChoice choice = choose(thread(0.1), 1e-4, 0);
     const MethodChoice again = choose(thread(0.1), 1e-4, 0);
