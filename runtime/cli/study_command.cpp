@@ -41,7 +41,9 @@ StudyCommand::StudyCommand(CLI::App& app) : command_(app.add_subcommand("study",
         ->required()
         ->check(CLI::IsMember({"accuracy", "stability"}));
     scene_.add_to(*command_, settings_.run);
-    command_->add_option("--out", settings_.out, "folder for the results; it is made")->required();
+    command_->add_option("--out", settings_.out, "folder for the results; it is made")
+        ->required()
+        ->check(checked([](const std::string& text) { return !text.empty(); }, "a folder; name one"));
     command_->add_option("--method", settings_.methods, "study this method; repeatable; all when absent")
         ->allow_extra_args(false);
     command_

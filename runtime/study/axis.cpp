@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "orbweaver/fault.hpp"
 #include "plan/scene_table.hpp"
@@ -38,26 +39,36 @@ private:
         throw Fault(FaultKind::invalid, fmt::format("--axis {}: {}", text_.path, sentence));
     }
 
-    std::span<const OptionSpec> options() const {
-        if (axis_.table == "scene") return scene_options();
-        std::vector<std::string> tables{"scene"};
-        for (const PlannedModule& module : plan_.modules) {
-            if (module.manifest->table == axis_.table) return module.manifest->options;
-            if (!module.manifest->table.empty()) tables.push_back(module.manifest->table);
-        }
-        refuse(fmt::format("the scene has no [{}] that is run; expected an option of {}", axis_.table,
-                           join_names(tables)));
+    const Manifest* manifest() const {
+        for (const PlannedModule& module : plan_.modules)
+            if (module.manifest->table == axis_.table) return module.manifest;
+        return nullptr;
     }
 
     const OptionSpec& find_option() const {
+        const Manifest* module = axis_.table == "scene" ? nullptr : manifest();
+        if (module == nullptr && axis_.table != "scene")
+            refuse(fmt::format(
+                "the scene has no [{0}] that is run; add one to the scene or by --set {0}.KEY=VALUE, "
+                "or vary an option of {1}",
+                axis_.table, join_names(tables())));
         std::vector<std::string> names;
-        for (const OptionSpec& option : options()) {
+        for (const OptionSpec& option : module != nullptr ? module->options : scene_options()) {
             if (option.key == axis_.option) return option;
             names.push_back(option.key);
         }
         const std::string nearest = nearest_name(axis_.option, names);
-        refuse(fmt::format("[{}] has no option '{}'; expected {}{}", axis_.table, axis_.option,
-                           join_names(names), nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+        refuse(fmt::format("[{}] has no option '{}'; {}{}", axis_.table, axis_.option,
+                           nearest.empty() ? "" : "did you mean '" + nearest + "'? ",
+                           module != nullptr ? fmt::format("'orbweaver modules {}' lists all", module->id)
+                                             : "expected " + join_names(names)));
+    }
+
+    std::vector<std::string> tables() const {
+        std::set<std::string> names{"scene"};
+        for (const PlannedModule& module : plan_.modules)
+            if (!module.manifest->table.empty()) names.insert(module.manifest->table);
+        return {names.begin(), names.end()};
     }
 
     static bool is_number(const OptionSpec& option) {

@@ -13,6 +13,11 @@ std::string trimmed(const std::string& text) {
     return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+/// Two keys or more, none of them empty.
+bool is_path(const std::string& text) {
+    return text.find('.') != std::string::npos && ("." + text + ".").find("..") == std::string::npos;
+}
+
 /// The parts between commas that stand outside brackets, braces and quotes.
 AxisList split(const std::string& text) {
     AxisList parts{""};
@@ -62,7 +67,7 @@ std::optional<AxisRange> parse_range(std::string rest) {
     }
     const double begin = convert(range.low, Unit{});
     const double end = convert(range.high, Unit{});
-    const bool rises = begin < end && std::isfinite(end - begin);
+    const bool rises = begin < end && std::isfinite(end - begin) && (begin <= 0 || std::isfinite(end / begin));
     const bool counts = range.count >= 2 && range.count <= static_cast<int>(kMostValues);
     return rises && counts && (range.log != true || begin > 0) ? std::optional(range) : std::nullopt;
 }
@@ -84,7 +89,7 @@ bool is_digits(const std::string& text) {
 std::optional<AxisText> parse_axis(const std::string& text) {
     std::string rest = text;
     const auto path = cut(rest, "=");
-    if (!path || path->find('.') == std::string::npos) return std::nullopt;
+    if (!path || !is_path(*path)) return std::nullopt;
     if (AxisList parts = split(rest); parts.size() > 1)
         return is_list(parts) ? std::optional(AxisText{*path, std::move(parts)}) : std::nullopt;
     const auto range = parse_range(rest);

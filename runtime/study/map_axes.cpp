@@ -67,13 +67,27 @@ void check_effect(const Subject& subject, const MapAxis& axis) {
                "every method has a map of its own; choose them by --method, and name another option");
 }
 
-/// The value of an option in the scene as an axis changes it. What the scene refuses is refused here.
+/// Refuses a value for what the scene says of its override, which was not typed as one.
+[[noreturn]] void refuse_value(const MapAxis& axis, std::size_t i, std::string sentences) {
+    const std::string typed = "--set " + axis.path + ": ";
+    for (auto at = sentences.find(typed); at != std::string::npos; at = sentences.find(typed))
+        sentences.erase(at, typed.size());
+    refuse(axis.path + "=" + axis.text(i), sentences);
+}
+
+/// The value of an option in the scene as an axis changes it.
 std::optional<OptionValue> changed_value(const StudySettings& settings, const MapAxis& axis, std::size_t i) {
     RunSettings run = settings.run;
     run.overrides.push_back(axis.assignment(i));
-    const PlannedScene planned = plan_scene(run);
-    if (!planned.plan.faults.empty()) refuse(axis.path, all_sentences(planned.plan.faults));
-    return planned_value(axis, planned.plan);
+    std::string sentences;
+    try {
+        const PlannedScene planned = plan_scene(run);
+        if (planned.plan.faults.empty()) return planned_value(axis, planned.plan);
+        sentences = all_sentences(planned.plan.faults);
+    } catch (const Fault& fault) {
+        sentences = fault.what();
+    }
+    refuse_value(axis, i, std::move(sentences));
 }
 
 /// Of numbers the ends are tried, of labels each: the scene's own is the one that changes nothing.

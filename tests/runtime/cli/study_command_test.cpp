@@ -84,6 +84,7 @@ TEST_CASE("a study that was asked for wrongly ends with code 2 and says why", "[
         {{"study"}, "KIND is required"},
         {{"study", "beauty", scene.path, "--out", scene.out}, "beauty"},
         {{"study", "accuracy", scene.path}, "--out is required"},
+        {scene.study("accuracy", {"--out", ""}), "'' is not a folder; name one"},
         {scene.study("accuracy", {"--axis", "a.b=1..2:3"}), "only stability has axes"},
         {scene.study("stability", {"--repeats", "2"}), "only accuracy is timed"},
         {scene.study("stability", {"--axis", "a.b"}), "'a.b' is not an axis; expected PATH=LOW..HIGH:COUNT"},

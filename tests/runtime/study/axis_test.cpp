@@ -83,8 +83,13 @@ TEST_CASE("an axis that the scene does not know is refused in words", "[extreme]
     };
     const Case cases[] = {
         {"web.step=1..2:3",
-         "--axis web.step: the scene has no [web] that is run; expected an option of scene or oscillator"},
-        {"oscillator.stifness=1..2:3", "did you mean stiffness?"},
+         "--axis web.step: the scene has no [web] that is run; add one to the scene or by --set web.KEY=VALUE, "
+         "or vary an option of oscillator or scene"},
+        {"scene.duration_s=1,2",
+         "[scene] has no option 'duration_s'; did you mean 'duration'? expected name, "},
+        {"oscillator.color=1,2",
+         "[oscillator] has no option 'color'; 'orbweaver modules oscillator' lists all"},
+        {"oscillator.stifness=1..2:3", "did you mean 'stiffness'?"},
         {"oscillator.method=1..2:3",
          "--axis oscillator.method: 'method' is of type choice, which has no range; expected a list of values"},
         {"oscillator.step=1 m..2 m:3",
