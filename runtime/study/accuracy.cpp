@@ -133,10 +133,12 @@ private:
     }
 
     void leave_out(const std::string& method, std::size_t count, std::size_t rungs) {
-        result_.sentences.push_back(fmt::format(
-            "{}: its {} of {} rungs {} left out {}", method,
-            count == 1 ? "finest" : fmt::format("{} finest", count), rungs, count == 1 ? "was" : "were",
-            deadline_.interrupted() ? "when the study was interrupted" : "for lack of time"));
+        const std::string which = count == rungs ? fmt::format("all of its {} rungs", rungs)
+                                  : count == 1   ? fmt::format("the finest of its {} rungs", rungs)
+                                                 : fmt::format("the {} finest of its {} rungs", count, rungs);
+        result_.sentences.push_back(
+            fmt::format("{}: left out {}: {}", method,
+                        deadline_.interrupted() ? "when interrupted" : "for lack of time", which));
     }
 
     // Repeats take at most a tenth of the method's time: what runs long varies little.

@@ -41,6 +41,7 @@ public:
         run_references();
         run_maps();
         check_findings();
+        if (deadline_.interrupted()) result_.sentences.emplace_back("interrupted: what was not run is unknown");
         return std::move(result_);
     }
 

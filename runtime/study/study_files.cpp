@@ -17,7 +17,7 @@ constexpr const char* kStyle =
 }  // namespace
 
 StudyFiles::StudyFiles(const std::string& folder, const std::vector<std::string>& names) {
-    for (const std::string& name : names) files_.emplace_back(folder + "/" + name);
+    for (const std::string& name : names) files_.emplace_back(fmt::format("{}/{}", folder, name));
 }
 
 void StudyFiles::commit(const std::vector<std::string>& texts) {

@@ -68,12 +68,12 @@ double round_spacing(double span) {
 }
 
 std::vector<double> log_ticks(const Axis& axis) {
-    const double first = std::floor(std::log10(axis.low) + 1e-9);
-    const double last = std::ceil(std::log10(axis.high) - 1e-9);
+    const int first = static_cast<int>(std::floor(std::log10(axis.low) + 1e-9));
+    const int last = static_cast<int>(std::ceil(std::log10(axis.high) - 1e-9));
     const bool between = axis.high <= 100 * axis.low * (1 + 1e-9);
-    const double stride = std::max(1.0, std::ceil((last - first) / 12));
+    const int stride = std::max(1, (last - first + 11) / 12);
     std::vector<double> all;
-    for (double decade = first; decade <= last; decade += stride)
+    for (int decade = first; decade <= last; decade += stride)
         for (const double factor : {1.0, 2.0, 5.0})
             if (factor == 1 || between) all.push_back(factor * std::pow(10, decade));
     return all;
@@ -160,7 +160,8 @@ std::vector<double> minor_ticks(const Axis& axis) {
     constexpr double kMostDecades = 12;
     std::vector<double> all;
     if (!axis.log || std::log10(axis.high / axis.low) > kMostDecades) return all;
-    for (double decade = std::floor(std::log10(axis.low)); decade <= std::log10(axis.high); ++decade)
+    const int first = static_cast<int>(std::floor(std::log10(axis.low)));
+    for (int decade = first; decade <= std::log10(axis.high); ++decade)
         for (int digit = 1; digit < 10; ++digit)
             if (const double tick = digit * std::pow(10, decade); tick >= axis.low && tick <= axis.high)
                 all.push_back(tick);
@@ -328,10 +329,12 @@ std::string svg_grid(std::span<const SvgPlot> plots, std::size_t columns) {
         height = std::max(height, plot.height());
     }
     std::string all;
-    for (std::size_t i = 0; i < plots.size(); ++i)
+    for (std::size_t i = 0; i < plots.size(); ++i) {
+        const std::size_t row = i / columns;
         all += fmt::format("<g transform=\"translate({:.0f} {:.0f})\">\n{}</g>\n",
-                           static_cast<double>(i % columns) * width, static_cast<double>(i / columns) * height,
+                           static_cast<double>(i % columns) * width, static_cast<double>(row) * height,
                            plots[i].elements());
+    }
     const auto rows = (plots.size() + columns - 1) / columns;
     return framed(width * static_cast<double>(std::min(columns, plots.size())),
                   height * static_cast<double>(rows), all);

@@ -155,7 +155,9 @@ TEST_CASE("a signal ends a study with what it found", "[scene]") {
     for (int i = 0; i < 200 && !std::filesystem::exists(scene.out); ++i) ::usleep(10000);
     ::usleep(1000000);
     program.send(SIGINT);
-    CHECK(program.wait().code == 0);
+    const Outcome outcome = program.wait();
+    CHECK(outcome.code == 0);
+    CHECK_THAT(outcome.out, Catch::Contains("interrupted: what was not run is unknown"));
     CHECK_THAT(read_file(scene.out + "/stability.csv"),
                Catch::Contains("unknown") && (Catch::Contains("stable") || Catch::Contains("diverged")));
 }

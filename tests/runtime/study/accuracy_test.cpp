@@ -141,7 +141,7 @@ TEST_CASE("a study ends within its time, or says that it was too short", "[extre
     const Subject subject(scene.settings);
     const AccuracyResult result = study_accuracy(scene.settings, subject, deadline_in(2.5, scene.interrupt));
     CHECK(result.rows.size() < 36);
-    CHECK_THAT(result.sentences.back(), Catch::Contains("were left out for lack of time"));
+    CHECK_THAT(result.sentences.back(), Catch::Contains("left out for lack of time: "));
     CHECK(kind_of_fault([&] { study_accuracy(scene.settings, subject, deadline_in(0.01, scene.interrupt)); }) ==
           FaultKind::limit);
 }
