@@ -26,6 +26,7 @@ struct StudiedScene {
 
     StabilityResult map(const std::vector<std::string>& axes) const {
         std::vector<AxisText> parsed;
+        parsed.reserve(axes.size());
         for (const std::string& axis : axes) parsed.push_back(*parse_axis(axis));
         return study_stability(settings, Subject(settings), parsed, deadline);
     }

@@ -14,6 +14,7 @@ namespace {
 
 MapAxes chosen(const OscillatorScene& scene, const std::vector<std::string>& texts) {
     std::vector<AxisText> asked;
+    asked.reserve(texts.size());
     for (const std::string& text : texts) asked.push_back(*parse_axis(text));
     return choose_axes(scene.settings, Subject(scene.settings), asked, scene.deadline);
 }

@@ -18,6 +18,7 @@ const std::string kFast = "omega = 1000\namplitude = 1e-4\n";
 StabilityResult studied(OscillatorScene& scene, const std::vector<std::string>& axes) {
     const Subject subject(scene.settings);
     std::vector<AxisText> parsed;
+    parsed.reserve(axes.size());
     for (const std::string& axis : axes) parsed.push_back(*parse_axis(axis));
     return study_stability(scene.settings, subject, parsed, scene.deadline);
 }
