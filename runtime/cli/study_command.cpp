@@ -14,14 +14,16 @@ constexpr const char* kMeaning =
 constexpr const char* kHelp = R"(
 accuracy   runs every method over a ladder of steps or tolerances, against a reference that a second method
            confirms, after a twin displaced by 1e-10 m has shown how long errors mean something. Leaves
-           accuracy.csv (method,step_s,tolerance,error_m,wall_s,steps,outcome), accuracy.json, accuracy.svg and
-           index.html in DIR, and prints the cheapest way to each error. Usually 1 s is simulated.
+           accuracy.csv (method,step_s,tolerance,error_m,wall_s,steps,outcome), accuracy_statistics.csv,
+           accuracy.json, accuracy.svg and index.html in DIR, and prints the cheapest way to each error. Usually
+           1 s is simulated.
 stability  runs every method in each cell of a map over two options of the scene, and calls it stable, degraded,
            diverged or refused. Leaves stability.csv (method,<axis>,<axis>,class), stability.json, stability.svg and
            index.html in DIR, the adviser's prediction drawn over each map. Usually 0.5 s is simulated.
 
-An axis is PATH=LOW..HIGH:COUNT, such as web.step=10us..20ms:16 or web.drag=0..1e-6:11:lin; without --axis the step
-and the module's own choice ([study] in its manifest) are taken. Exit codes are those of run.
+An axis is any option of the scene, PATH=LOW..HIGH:COUNT, such as web.step=10us..20ms:16 or web.drag=0..1e-6:11:lin,
+or a list, PATH=A,B,..., such as web.prestress=force_density,over_extension; without --axis the step and the module's
+own choice ([study] in its manifest) are taken. Exit codes are those of run.
 )";
 
 bool is_axis(const std::string& text) { return study::parse_axis(text).has_value(); }
@@ -39,7 +41,9 @@ StudyCommand::StudyCommand(CLI::App& app) : command_(app.add_subcommand("study",
         ->required()
         ->check(CLI::IsMember({"accuracy", "stability"}));
     scene_.add_to(*command_, settings_.run);
-    command_->add_option("--out", settings_.out, "folder for the results; it is made")->required();
+    command_->add_option("--out", settings_.out, "folder for the results; it is made")
+        ->required()
+        ->check(checked([](const std::string& text) { return !text.empty(); }, "a folder; name one"));
     command_->add_option("--method", settings_.methods, "study this method; repeatable; all when absent")
         ->allow_extra_args(false);
     command_
@@ -48,11 +52,14 @@ StudyCommand::StudyCommand(CLI::App& app) : command_(app.add_subcommand("study",
                      "scenes too stiff for explicit steps")
         ->delimiter(',')
         ->expected(2);
-    command_->add_option("--axis", axes_, "stability: an axis, PATH=LOW..HIGH:COUNT[:lin|:log]; at most two")
+    command_
+        ->add_option("--axis", axes_,
+                     "stability: an axis, PATH=LOW..HIGH:COUNT[:lin|:log] or PATH=A,B,...; at most two")
         ->allow_extra_args(false)
         ->check(checked(is_axis,
-                        "an axis; expected PATH=LOW..HIGH:COUNT[:lin|:log] with LOW below HIGH and a "
-                        "COUNT of 2 to 200, such as web.step=1e-5..0.01:16"));
+                        "an axis; expected PATH=LOW..HIGH:COUNT[:lin|:log] with LOW below HIGH, known units "
+                        "and a COUNT of 2 to 200, such as web.step=1e-5..0.01:16, or PATH=A,B,... with 2 to "
+                        "200 values"));
     repeats_ =
         command_->add_option("--repeats", settings_.repeats, "accuracy: timed runs, the median of which counts")
             ->check(CLI::Range(1, 99))

@@ -44,9 +44,14 @@ private:
         return study::stable_step(settings_, subject_, method, {}, deadline_);
     }
 
-    std::vector<Rung> reference_rungs(const std::string& method) const {
+    // s, half of the stable step; of methods that never are, of the first reference's.
+    double coarsest(const std::string& method) const {
         const double stable = std::min(stable_step(method), subject_.scene().step);
-        return ladder(subject_, method, (stable > 0 ? stable : stable_reference_) / 2, kReferenceRungs);
+        return (stable > 0 ? stable : stable_reference_) / 2;
+    }
+
+    std::vector<Rung> reference_rungs(const std::string& method) const {
+        return ladder(subject_, method, coarsest(method), kReferenceRungs);
     }
 
     [[noreturn]] void give_up(const std::string& method, const Trial& trial) const {
@@ -60,25 +65,21 @@ private:
                     fmt::format("there is no reference: {} did not get through: {}", method, trial.message));
     }
 
-    // Equal steps part twins by nothing of their own; adaptive ones would, by about their tolerance.
-    Rung twin_rung() const {
-        const auto& methods = subject_.spec().references;
-        for (const std::string& method : methods)
-            if (!subject_.by_tolerance(method)) return reference_rungs(method).front();
-        return reference_rungs(methods[0]).back();
-    }
-
     void find_horizon() {
-        const Rung rung = twin_rung();
+        const Rung rung = twin_rung(subject_, [&](const std::string& name) { return coarsest(name); });
         const std::string& method = rung.method;
         const Deadline share = deadline_.share(kReferenceShare);
         TrialPlan plan{subject_.overrides(rung), result_.duration_s};
         const Trial trial = run_trial(settings_, subject_, plan, share);
         if (trial.ending != Ending::done) give_up(method, trial);
-        plan.offsets = free_offsets(settings_, subject_, rung, kDisplacement, share);
+        plan.offsets = free_offsets(settings_, subject_, plan.overrides, kDisplacement, share);
         const Trial twin = run_trial(settings_, subject_, plan, share);
         if (twin.ending != Ending::done) give_up(method, twin);
         result_.conditioning = judge(trial.motion, twin.motion);
+        result_.conditioning.rung = rung;
+        const std::size_t first = result_.conditioning.statistics_row();
+        const std::size_t busiest = busiest_particle(trial.motion, first);
+        result_.twin = compare(measure(twin.motion, busiest, first), measure(trial.motion, busiest, first));
         result_.particles = trial.motion.particles;
     }
 
@@ -103,8 +104,9 @@ private:
         result_.uncertainty_m = distance(first.motion, second.limit ? *second.limit : second.motion, rows);
         reference_ = std::move(first.motion);
         result_.displacement_m = largest_displacement(reference_);
-        busiest_ = busiest_particle(reference_);
-        result_.statistics = measure(reference_, busiest_);
+        const std::size_t begin = result_.conditioning.statistics_row();
+        busiest_ = busiest_particle(reference_, begin);
+        result_.statistics = measure(reference_, busiest_, begin);
     }
 
     void run_ladders() {
@@ -112,9 +114,9 @@ private:
         Progress progress("accuracy", 0, methods.size() * kRungs, 0, settings_.run.quiet, "rungs");
         for (std::size_t i = 0; i < methods.size(); ++i) {
             const double stable = std::max(stable_step(methods[i]), stable_reference_);
-            const double coarsest = std::min(4 * stable, subject_.scene().step);
+            const double first = std::min(4 * stable, subject_.scene().step);
             const Deadline share = deadline_.share(1 / static_cast<double>(methods.size() - i));
-            run_ladder(ladder(subject_, methods[i], coarsest, kRungs), share,
+            run_ladder(ladder(subject_, methods[i], first, kRungs), share,
                        [&](std::size_t k) { progress.update(i * kRungs + k); });
         }
     }
@@ -131,8 +133,12 @@ private:
     }
 
     void leave_out(const std::string& method, std::size_t count, std::size_t rungs) {
+        const std::string which = count == rungs ? fmt::format("all of its {} rungs", rungs)
+                                  : count == 1   ? fmt::format("the finest of its {} rungs", rungs)
+                                                 : fmt::format("the {} finest of its {} rungs", count, rungs);
         result_.sentences.push_back(
-            fmt::format("{}: its {} finest of {} rungs were left out for lack of time", method, count, rungs));
+            fmt::format("{}: left out {}: {}", method,
+                        deadline_.interrupted() ? "when interrupted" : "for lack of time", which));
     }
 
     // Repeats take at most a tenth of the method's time: what runs long varies little.
@@ -148,18 +154,18 @@ private:
             if (again.ending == Ending::timeout) break;
             walls.push_back(again.wall_s);
         }
-        add_row(rung, trial, walls);
+        add_row(rung, trial, std::move(walls));
         return true;
     }
 
-    void add_row(const Rung& rung, const Trial& trial, std::vector<double>& walls) {
+    void add_row(const Rung& rung, const Trial& trial, std::vector<double> walls) {
         AccuracyRow row{rung, std::nullopt, 0, trial.steps, to_string(trial.ending), std::nullopt};
-        const auto middle = walls.begin() + static_cast<std::ptrdiff_t>(walls.size() / 2);
-        std::nth_element(walls.begin(), middle, walls.end());
-        row.wall_s = *middle;
+        row.runs = static_cast<int>(walls.size());
+        row.wall_s = median(std::move(walls));
         if (trial.ending == Ending::done) {
             row.error_m = distance(reference_, trial.motion, result_.conditioning.horizon_rows);
-            row.deviation = compare(measure(trial.motion, busiest_), result_.statistics);
+            row.deviation = compare(measure(trial.motion, busiest_, result_.conditioning.statistics_row()),
+                                    result_.statistics);
             if (*row.error_m < kResolved * result_.uncertainty_m) row.outcome = "unresolved";
         }
         result_.rows.push_back(std::move(row));
@@ -188,7 +194,36 @@ private:
                 found.push_back(fmt::format("within 1e{} m: {}, {:.2g} s", decade,
                                             to_string(result_.rows[*best].rung), result_.rows[*best].wall_s));
         }
+        if (!result_.conditioning.whole) found.push_back(beyond_the_horizon());
         result_.sentences.insert(result_.sentences.begin(), found.begin(), found.end());
+    }
+
+    // A twin's statistics are one sample of what chance does, so three times that is still chance.
+    bool is_chance(const Deviation& deviation) const {
+        const Deviation& twin = result_.twin;
+        const bool energy = std::isnan(twin.energy) || deviation.energy <= kResolved * twin.energy;
+        return energy && deviation.shape_m <= kResolved * twin.shape_m &&
+               deviation.spectrum <= kResolved * twin.spectrum;
+    }
+
+    std::string beyond_the_horizon() const {
+        const AccuracyRow* best = nullptr;
+        int count = 0;
+        for (const AccuracyRow& row : result_.rows) {
+            if (!row.deviation || !is_chance(*row.deviation)) continue;
+            ++count;
+            if (best == nullptr || row.wall_s < best->wall_s) best = &row;
+        }
+        return fmt::format(
+            "beyond {}: chance alone (the twin) changes {}the mean shape by {:.2g} m and the spectrum by "
+            "{:.2g}; "
+            "{} of {} runs differ from the reference by at most three times that{}",
+            seconds_text(result_.conditioning.horizon_s),
+            std::isnan(result_.twin.energy) ? ""
+                                            : fmt::format("the mean energy by {:.2g}, ", result_.twin.energy),
+            result_.twin.shape_m, result_.twin.spectrum, count, result_.rows.size(),
+            best == nullptr ? ""
+                            : fmt::format(", the cheapest {}, {:.2g} s", to_string(best->rung), best->wall_s));
     }
 
     const StudySettings& settings_;

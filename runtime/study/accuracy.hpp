@@ -14,10 +14,11 @@ namespace orbweaver::study {
 struct AccuracyRow {
     Rung rung;
     std::optional<double> error_m;  ///< m, largest distance of a particle from the reference up to the horizon
-    double wall_s = 0;              ///< s in the module's frames, median of the repeated runs
+    double wall_s = 0;              ///< s in the module's frames, median of the timed runs
     std::uint64_t steps = 0;
     std::string outcome;  ///< "done", "unresolved" (too near to the reference's own error), or an Ending
-    std::optional<Deviation> deviation;  ///< of the whole run's statistics
+    std::optional<Deviation> deviation;  ///< of the statistics beyond the horizon, or of the whole run
+    int runs = 1;                        ///< that were timed
 };
 
 /// What a study of accuracy found.
@@ -28,12 +29,13 @@ struct AccuracyResult {
     double frame_s = 0;
     std::size_t particles = 0;
     Conditioning conditioning;
+    Deviation twin;  ///< of the displaced twin's statistics: what chance alone changes
     Rung reference;
     Rung second;                     ///< what the reference was confirmed by
     bool second_is_a_limit = false;  ///< its motion was extrapolated to a step of 0
     double uncertainty_m = 0;        ///< m, of the reference: its distance from the second
     double displacement_m = 0;       ///< m, the farthest that a particle of the reference gets from its start
-    Statistics statistics;           ///< of the reference
+    Statistics statistics;           ///< of the reference, from conditioning.statistics_row() on
     std::vector<AccuracyRow> rows;
     std::vector<std::size_t> front;      ///< rows that no other one beats in cost and error
     std::vector<std::string> sentences;  ///< what it comes to

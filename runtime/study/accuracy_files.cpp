@@ -19,21 +19,54 @@ using Json = nlohmann::ordered_json;
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json positive(double value) { return value > 0 ? number(value) : Json(nullptr); }
 
+/// s, the moment from which on statistics are taken.
+double statistics_from(const AccuracyResult& result) {
+    return static_cast<double>(result.conditioning.statistics_row()) * result.frame_s;
+}
+
 Json rung_json(const Rung& rung) {
     return {{"method", rung.method}, {"step_s", positive(rung.step)}, {"tolerance", positive(rung.tolerance)}};
+}
+
+Json deviation_json(const Deviation& deviation) {
+    return {{"mean_energy_relative", number(deviation.energy)},
+            {"mean_shape_m", number(deviation.shape_m)},
+            {"spectrum_distance", number(deviation.spectrum)},
+            {"frequency_relative", number(deviation.frequency)},
+            {"power_relative", number(deviation.power)}};
 }
 
 Json row_json(const AccuracyRow& row) {
     Json json = rung_json(row.rung);
     json["error_m"] = row.error_m ? number(*row.error_m) : Json(nullptr);
     json["wall_s"] = row.wall_s;
+    json["timed_runs"] = row.runs;
     json["steps"] = row.steps;
     json["outcome"] = row.outcome;
-    if (row.deviation)
-        json["statistics"] = {{"mean_energy_relative", number(row.deviation->energy)},
-                              {"mean_shape_m", number(row.deviation->shape_m)},
-                              {"frequency_relative", number(row.deviation->frequency)},
-                              {"power_relative", number(row.deviation->power)}};
+    if (row.deviation) json["statistics"] = deviation_json(*row.deviation);
+    return json;
+}
+
+Json conditioning_json(const AccuracyResult& result) {
+    const Conditioning& conditioning = result.conditioning;
+    Json json = {{"displacement_m", kDisplacement},     {"run", rung_json(conditioning.rung)},
+                 {"horizon_s", conditioning.horizon_s}, {"whole_run", conditioning.whole},
+                 {"time_s", conditioning.time_s},       {"deviation_m", Json::array()}};
+    for (const double d : conditioning.deviation_m) json["deviation_m"].push_back(number(d));
+    json["statistics"] = deviation_json(result.twin);
+    return json;
+}
+
+Json reference_json(const AccuracyResult& result) {
+    Json json = rung_json(result.reference);
+    json["confirmed_by"] = rung_json(result.second);
+    json["confirmed_by"]["extrapolated"] = result.second_is_a_limit;
+    json["uncertainty_m"] = number(result.uncertainty_m);
+    json["statistics"] = {{"from_s", number(statistics_from(result))},
+                          {"mean_energy_j", number(result.statistics.mean_energy_j)},
+                          {"frequency_hz", number(result.statistics.frequency_hz)},
+                          {"power_m2", number(result.statistics.power_m2)},
+                          {"spectrum", result.statistics.spectrum}};
     return json;
 }
 
@@ -56,7 +89,9 @@ SvgPlot error_plot(const AccuracyResult& result) {
         costs.push_back(row.wall_s);
         errors.push_back(*row.error_m);
     }
-    const Axis error_axis = axis_around("largest error / m", errors, true);
+    const std::string until =
+        result.conditioning.whole ? "" : " up to " + seconds_text(result.conditioning.horizon_s);
+    const Axis error_axis = axis_around(fmt::format("largest error{} / m", until), errors, true);
     SvgPlot plot(
         fmt::format("{}: error against run time, {} simulated", result.scene, seconds_text(result.duration_s)),
         axis_around("run time / s", costs, true), error_axis);
@@ -76,7 +111,9 @@ SvgPlot error_plot(const AccuracyResult& result) {
         plot.legend_mark(methods[m] + (line.empty() ? ": none ended" : ""), mark_of(m), color_of(m));
     }
     plot.legend_line("Pareto front", "#cccccc");
-    plot.legend_mark("hollow: not resolved", Mark::circle, "#666666", false);
+    const auto is_hollow = [](const AccuracyRow& row) { return row.error_m && row.outcome != "done"; };
+    if (std::any_of(result.rows.begin(), result.rows.end(), is_hollow))
+        plot.legend_mark("hollow: not resolved", Mark::circle, "#666666", false);
     if (result.uncertainty_m >= error_axis.low) {
         const PlotPoint floor[] = {{0, result.uncertainty_m}, {HUGE_VAL, result.uncertainty_m}};
         plot.line(floor, "#666666", true, 1);
@@ -99,25 +136,43 @@ SvgPlot conditioning_plot(const Conditioning& conditioning) {
     return plot;
 }
 
+std::string size_text(const Rung& rung) {
+    return rung.tolerance > 0 ? fmt::format("{:.3g} m", rung.tolerance) : seconds_text(rung.step);
+}
+
 std::string html_rows(const AccuracyResult& result) {
     std::string html =
         "<table><tr><th>method</th><th>step or tolerance</th><th>error / m</th><th>run time / s</th>"
-        "<th>steps</th><th>outcome</th><th>mean energy</th><th>mean shape / m</th><th>frequency</th>"
-        "<th>power</th></tr>\n";
+        "<th>timed runs</th><th>steps</th><th>outcome</th></tr>\n";
     for (std::size_t i = 0; i < result.rows.size(); ++i) {
         const AccuracyRow& row = result.rows[i];
-        const std::string size =
-            row.rung.tolerance > 0 ? fmt::format("{:.3g} m", row.rung.tolerance) : seconds_text(row.rung.step);
-        html += fmt::format("<tr{}><td>{}</td><td>{}</td><td>{}</td><td>{:.3g}</td><td>{}</td><td>{}</td>",
-                            on_front(result, i) ? " class=\"front\"" : "", escaped(row.rung.method), size,
-                            row.error_m ? fmt::format("{:.2e}", *row.error_m) : "", row.wall_s, row.steps,
-                            row.outcome);
-        if (row.deviation)
-            html += fmt::format("<td>{:.1e}</td><td>{:.1e}</td><td>{:.1e}</td><td>{:.1e}</td>",
-                                row.deviation->energy, row.deviation->shape_m, row.deviation->frequency,
-                                row.deviation->power);
-        html += "</tr>\n";
+        html += fmt::format(
+            "<tr{}><td>{}</td><td>{}</td><td>{}</td><td>{:.3g}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+            on_front(result, i) ? " class=\"front\"" : "", escaped(row.rung.method), size_text(row.rung),
+            row.error_m ? fmt::format("{:.2e}", *row.error_m) : "", row.wall_s, row.runs, row.steps,
+            row.outcome);
     }
+    return html + "</table>\n";
+}
+
+std::string deviation_cells(const Deviation& deviation) {
+    std::string html;
+    for (const double value :
+         {deviation.energy, deviation.shape_m, deviation.spectrum, deviation.frequency, deviation.power})
+        html += std::isfinite(value) ? fmt::format("<td>{:.1e}</td>", value) : "<td>-</td>";
+    return html;
+}
+
+std::string html_statistics(const AccuracyResult& result) {
+    std::string html = fmt::format(
+        "<table><tr><th>method</th><th>step or tolerance</th><th>mean energy</th><th>mean shape / m</th>"
+        "<th>spectrum</th><th>frequency</th><th>power</th></tr>\n<tr class=\"front\"><td>the twin, {:g} m "
+        "away</td><td>{}</td>{}</tr>\n",
+        kDisplacement, size_text(result.conditioning.rung), deviation_cells(result.twin));
+    for (const AccuracyRow& row : result.rows)
+        if (row.deviation)
+            html += fmt::format("<tr><td>{}</td><td>{}</td>{}</tr>\n", escaped(row.rung.method),
+                                size_text(row.rung), deviation_cells(*row.deviation));
     return html + "</table>\n";
 }
 
@@ -133,13 +188,32 @@ constexpr const char* kHowToRead =
     "reference at the end of any frame up to the horizon. Lower left is better; the broad grey line joins the "
     "runs that no other one beats in both (bold in the table). Hollow marks lie within three times the "
     "reference's own "
-    "uncertainty: their true error is at most about that. Run times are medians of repeated runs; they leave "
-    "out set-up and what the module spends on estimating its own error.</p>\n";
+    "uncertainty: their true error is at most about that. Run times are medians of as many runs as the table "
+    "tells (of two their mean), fewer where a run is long; they leave out set-up and what the module spends on "
+    "estimating its own error.</p>\n";
 
-constexpr const char* kStatistics =
-    "<p>Mean energy, frequency and power are relative differences from the reference over the whole run; "
-    "frequency and power are those of the particle that moves most. Beyond the horizon only these mean "
-    "something.</p>\n";
+std::string how_statistics_read(const AccuracyResult& result) {
+    return fmt::format(
+        "<p>Differences from the reference, from {} to the end{}. Mean energy, strongest frequency and power "
+        "are "
+        "relative, the spectrum's is half the sum of all differences between shares of power (0: the same, 1: "
+        "nothing in common); spectrum, frequency and power are those of the particle that moves most. The "
+        "twin's "
+        "are what a displacement at the start changes, so nothing smaller tells methods apart. -: not "
+        "known.</p>\n",
+        seconds_text(statistics_from(result)),
+        result.conditioning.whole ? "" : ", beyond the horizon, where only these mean something");
+}
+
+std::string statistics_line(const std::string& method, const Rung& rung, const Deviation& deviation) {
+    const auto known = [](double value, bool is_known) { return is_known ? fmt::format("{}", value) : ""; };
+    std::string line = fmt::format("{},{},{}", method, known(rung.step, rung.step > 0),
+                                   known(rung.tolerance, rung.tolerance > 0));
+    for (const double value :
+         {deviation.energy, deviation.shape_m, deviation.spectrum, deviation.frequency, deviation.power})
+        line += "," + known(value, std::isfinite(value));
+    return line + "\n";
+}
 
 }  // namespace
 
@@ -154,24 +228,22 @@ std::string accuracy_csv(const AccuracyResult& result) {
     return csv;
 }
 
+std::string statistics_csv(const AccuracyResult& result) {
+    std::string csv =
+        "method,step_s,tolerance,mean_energy_relative,mean_shape_m,spectrum_distance,frequency_relative,"
+        "power_relative\n" +
+        statistics_line("twin", result.conditioning.rung, result.twin);
+    for (const AccuracyRow& row : result.rows)
+        if (row.deviation) csv += statistics_line(row.rung.method, row.rung, *row.deviation);
+    return csv;
+}
+
 std::string accuracy_json(const AccuracyResult& result) {
     Json json = {{"scene", result.scene},           {"table", result.table},
                  {"duration_s", result.duration_s}, {"frame_s", result.frame_s},
                  {"particles", result.particles},   {"displacement_m", result.displacement_m}};
-    json["conditioning"] = {{"displacement_m", kDisplacement},
-                            {"horizon_s", result.conditioning.horizon_s},
-                            {"whole_run", result.conditioning.whole},
-                            {"time_s", result.conditioning.time_s},
-                            {"deviation_m", Json::array()}};
-    for (const double d : result.conditioning.deviation_m)
-        json["conditioning"]["deviation_m"].push_back(number(d));
-    json["reference"] = rung_json(result.reference);
-    json["reference"]["confirmed_by"] = rung_json(result.second);
-    json["reference"]["confirmed_by"]["extrapolated"] = result.second_is_a_limit;
-    json["reference"]["uncertainty_m"] = number(result.uncertainty_m);
-    json["reference"]["statistics"] = {{"mean_energy_j", number(result.statistics.mean_energy_j)},
-                                       {"frequency_hz", number(result.statistics.frequency_hz)},
-                                       {"power_m2", number(result.statistics.power_m2)}};
+    json["conditioning"] = conditioning_json(result);
+    json["reference"] = reference_json(result);
     json["rows"] = Json::array();
     for (const AccuracyRow& row : result.rows) json["rows"].push_back(row_json(row));
     json["pareto"] = result.front;
@@ -184,7 +256,8 @@ std::string accuracy_svg(const AccuracyResult& result) { return error_plot(resul
 std::string accuracy_page(const AccuracyResult& result) {
     std::string body = html_list(accuracy_sentences(result)) + error_plot(result).document() + kHowToRead;
     body += "<h2>Conditioning</h2>\n" + conditioning_plot(result.conditioning).document();
-    body += "<h2>Every run</h2>\n" + html_rows(result) + kStatistics;
+    body += "<h2>Every run</h2>\n" + html_rows(result);
+    body += "<h2>Statistics</h2>\n" + how_statistics_read(result) + html_statistics(result);
     return html_page(fmt::format("{}: error against run time", result.scene), body);
 }
 

@@ -23,14 +23,23 @@ Vec3 direction(const RandomStream& stream, std::uint64_t n) {
 
 }  // namespace
 
-std::vector<Vec3> free_offsets(const StudySettings& settings, const Subject& subject, const Rung& rung,
-                               double length, const Deadline& deadline) {
-    const auto overrides = subject.overrides(rung);
+Rung twin_rung(const Subject& subject, const std::function<double(const std::string&)>& longest) {
+    const auto& methods = subject.spec().references;
+    const auto found = [&](auto&& fits) { return std::find_if(methods.begin(), methods.end(), fits); };
+    auto method = found([&](const std::string& name) { return !subject.by_tolerance(name); });
+    if (method == methods.end()) method = found([&](const std::string& name) { return subject.by_step(name); });
+    if (method != methods.end()) return subject.rung_within(*method, longest(*method));
+    return {methods[0], 0, std::max(kDisplacement / 100, subject.least_tolerance())};
+}
+
+std::vector<Vec3> free_offsets(const StudySettings& settings, const Subject& subject,
+                               const std::vector<std::string>& overrides, double length,
+                               const Deadline& deadline) {
     const Trial start = run_trial(settings, subject, {overrides, 0}, deadline);
     const RandomStream stream(subject.scene().seed, "study/displacement");
     std::vector<Vec3> offsets(start.motion.particles);
     for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = length * direction(stream, i);
-    const Trial frame = run_trial(settings, subject, {overrides, subject.scene().step, offsets}, deadline);
+    const Trial frame = run_trial(settings, subject, {overrides, start.motion.frame_s, offsets}, deadline);
     if (frame.motion.rows() < 2) return offsets;
     for (std::size_t i = 0; i < offsets.size(); ++i)
         if (frame.motion.row(0)[i] == frame.motion.row(1)[i]) offsets[i] = {};
@@ -55,13 +64,15 @@ std::string sentence(const Conditioning& conditioning) {
     const double last = conditioning.time_s.empty() ? 0 : conditioning.time_s.back();
     if (conditioning.whole)
         return fmt::format(
-            "conditioning: a displacement of {:g} m is {:.2g} m after {}; pointwise errors mean something over "
-            "the whole run",
-            kDisplacement, end, seconds_text(last));
+            "conditioning: a displacement of {:g} m is {:.2g} m after {} (by {}); pointwise errors mean "
+            "something "
+            "over the whole run",
+            kDisplacement, end, seconds_text(last), to_string(conditioning.rung));
     return fmt::format(
-        "conditioning: a displacement of {:g} m has grown past {:g} m after {} (and to {:.2g} m by {}); "
+        "conditioning: a displacement of {:g} m has grown past {:g} m after {} and to {:.2g} m by {} (by {}); "
         "pointwise errors mean something up to there only, and beyond it statistics are compared",
-        kDisplacement, kUseless, seconds_text(conditioning.horizon_s), end, seconds_text(last));
+        kDisplacement, kUseless, seconds_text(conditioning.horizon_s), end, seconds_text(last),
+        to_string(conditioning.rung));
 }
 
 }  // namespace orbweaver::study

@@ -32,21 +32,24 @@ void print_duration(const Subject& subject, double usual) {
 void run_accuracy(const StudySettings& settings) {
     const Interrupt interrupt;
     const Subject subject(settings);
-    StudyFiles files(settings.out, "accuracy");
+    StudyFiles files(settings.out, {"accuracy.csv", "accuracy_statistics.csv", "accuracy.json", "accuracy.svg",
+                                    "index.html"});
     print_duration(subject, kUsualDuration);
     const AccuracyResult result = study_accuracy(settings, subject, deadline_in(settings.time, interrupt));
-    files.commit(accuracy_csv(result), accuracy_json(result), accuracy_svg(result), accuracy_page(result));
+    files.commit({accuracy_csv(result), statistics_csv(result), accuracy_json(result), accuracy_svg(result),
+                  accuracy_page(result)});
     print(accuracy_sentences(result), settings.out);
 }
 
 void run_stability(const StudySettings& settings, const std::vector<AxisText>& axes) {
     const Interrupt interrupt;
     const Subject subject(settings);
-    StudyFiles files(settings.out, "stability");
+    StudyFiles files(settings.out, {"stability.csv", "stability.json", "stability.svg", "index.html"});
     print_duration(subject, kUsualCellDuration);
     const StabilityResult result =
         study_stability(settings, subject, axes, deadline_in(settings.time, interrupt));
-    files.commit(stability_csv(result), stability_json(result), stability_svg(result), stability_page(result));
+    files.commit(
+        {stability_csv(result), stability_json(result), stability_svg(result), stability_page(result)});
     print(result.sentences, settings.out);
 }
 

@@ -7,7 +7,7 @@
 
 namespace orbweaver::study {
 
-/// Studies a scene and leaves the four files of the study in settings.out; prints what it comes to. A signal
+/// Studies a scene and leaves the files of the study in settings.out; prints what it comes to. A signal
 /// ends it early, with what was found so far. Throws Fault.
 void run_accuracy(const StudySettings& settings);
 void run_stability(const StudySettings& settings, const std::vector<AxisText>& axes);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <list>
 #include <map>
 #include <numeric>
 
@@ -18,6 +19,12 @@ namespace {
 
 constexpr double kReferenceShare = 0.3;
 
+/// What the cells of the same physics are compared with.
+struct Reference {
+    const std::vector<Vec3>* nudges = nullptr;  ///< m; null: there was no time for it
+    std::optional<double> speed;                ///< m/s, rms; nothing when it did not get through
+};
+
 class StabilityStudy {
 public:
     StabilityStudy(const StudySettings& settings, const Subject& subject, const Deadline& deadline)
@@ -29,23 +36,22 @@ public:
 
     StabilityResult run(const std::vector<AxisText>& axes) {
         result_.axes = choose_axes(settings_, subject_, axes, deadline_);
-        nudges_ = free_offsets(settings_, subject_, reference_rung({}), kNudge, deadline_);
+        result_.asked_step_s = asked_step(subject_, plan_scene(settings_.run).plan);
+        methods_ = studied_methods();
         run_references();
         run_maps();
+        check_findings();
+        if (deadline_.interrupted()) result_.sentences.emplace_back("interrupted: what was not run is unknown");
         return std::move(result_);
     }
 
 private:
-    std::vector<std::string> method_only(const std::string& method, const char* on_unstable) const {
-        return {subject_.assign(subject_.spec().method, method),
-                subject_.assign(subject_.spec().on_unstable, on_unstable)};
-    }
-
+    // The last word on an option counts: what an axis varies overrides what is usual.
     std::vector<std::string> cell_overrides(const std::string& method, std::size_t cell) const {
-        std::vector<std::string> all = method_only(method, "as_asked");
-        all.push_back(assignment(result_.axes.x, result_.axes.x_of(cell)));
-        all.push_back(assignment(result_.axes.y, result_.axes.y_of(cell)));
-        return all;
+        const MapAxes& axes = result_.axes;
+        return {subject_.assign(subject_.spec().method, method),
+                subject_.assign(subject_.spec().on_unstable, "as_asked"), axes.x.assignment(axes.column(cell)),
+                axes.y.assignment(axes.row(cell))};
     }
 
     double stable_step(const std::string& method, const std::vector<std::string>& changes) const {
@@ -60,26 +66,37 @@ private:
     }
 
     // The same physics by the method of reference.
-    std::optional<double> reference_speed(const std::vector<std::string>& changes,
-                                          const Deadline& share) const {
+    Reference reference_of(const std::vector<std::string>& changes, const Deadline& share) {
+        Reference found;
+        if (share.passed()) return found;
         std::vector<std::string> overrides = subject_.overrides(reference_rung(changes));
         overrides.push_back(subject_.assign(subject_.spec().on_unstable, "substep"));
         overrides.insert(overrides.end(), changes.begin(), changes.end());
-        const Trial trial = run_trial(settings_, subject_, {overrides, result_.duration_s, nudges_}, share);
-        return trial.ending == Ending::done ? std::optional(rms_speed(trial.motion)) : std::nullopt;
+        found.nudges = shared(free_offsets(settings_, subject_, overrides, kNudge, share));
+        const Trial trial =
+            run_trial(settings_, subject_, {overrides, result_.duration_s, *found.nudges}, share);
+        if (trial.ending == Ending::timeout) found.nudges = nullptr;
+        if (trial.ending == Ending::done) found.speed = rms_speed(trial.motion);
+        return found;
+    }
+
+    // Physics differ in their particles only when an axis varies what is built.
+    const std::vector<Vec3>* shared(std::vector<Vec3> nudges) {
+        const auto known = std::find(nudges_.begin(), nudges_.end(), nudges);
+        return known != nudges_.end() ? &*known : &nudges_.emplace_back(std::move(nudges));
     }
 
     void run_references() {
         const Deadline share = deadline_.share(kReferenceShare);
         Progress progress("references", 0, result_.axes.cells(), 0, settings_.run.quiet, "cells");
         for (std::size_t cell = 0; cell < result_.axes.cells(); ++cell) {
-            const auto [found, is_new] = references_.emplace(result_.axes.physics(cell), std::nullopt);
-            if (is_new) found->second = reference_speed(found->first, share);
+            const auto [found, is_new] = references_.emplace(result_.axes.physics(cell), Reference{});
+            if (is_new) found->second = reference_of(found->first, share);
             progress.update(cell + 1);
         }
     }
 
-    CellClass judge(const Trial& trial, const std::optional<double>& reference) const {
+    static CellClass judge(const Trial& trial, const std::optional<double>& reference) {
         switch (trial.ending) {
             case Ending::diverged:
                 return CellClass::diverged;
@@ -104,36 +121,41 @@ private:
     std::vector<std::size_t> order() const {
         std::vector<std::size_t> all(result_.axes.cells());
         std::iota(all.begin(), all.end(), std::size_t{0});
-        const auto length = [&](std::size_t cell) {
-            const MapAxes& axes = result_.axes;
-            return axes.step_axis == 0 ? axes.x_of(cell) : axes.step_axis == 1 ? axes.y_of(cell) : 0.0;
-        };
+        const MapAxes& axes = result_.axes;
         std::stable_sort(all.begin(), all.end(),
-                         [&](std::size_t a, std::size_t b) { return length(a) > length(b); });
+                         [&](std::size_t a, std::size_t b) { return axes.step_of(a) > axes.step_of(b); });
         return all;
+    }
+
+    bool varies_tolerance() const {
+        const std::string& tolerance = subject_.spec().tolerance;
+        if (tolerance.empty()) return false;
+        const std::string path = subject_.table() + "." + tolerance;
+        return result_.axes.x.path == path || result_.axes.y.path == path;
     }
 
     std::vector<std::string> studied_methods() const {
         std::vector<std::string> all;
         for (const std::string& method : subject_.methods()) {
-            const bool skipped = result_.axes.step_axis >= 0 && !subject_.by_step(method);
-            if (!skipped) all.push_back(method);
+            const bool lacks_step = result_.axes.step_axis >= 0 && !subject_.by_step(method);
+            const bool lacks_tolerance = varies_tolerance() && !subject_.by_tolerance(method);
+            if (!lacks_step && !lacks_tolerance) all.push_back(method);
         }
+        if (all.empty())
+            throw Fault(
+                FaultKind::invalid,
+                "the methods asked for have no step or tolerance that an axis could vary; name two other "
+                "axes, or other methods");
         return all;
     }
 
     void run_maps() {
-        const auto methods = studied_methods();
-        if (methods.empty())
-            throw Fault(FaultKind::invalid,
-                        "the methods asked for have no step that an axis could vary; name two "
-                        "other axes, or other methods");
-        Progress progress("stability", 0, methods.size() * result_.axes.cells(), 0, settings_.run.quiet,
+        Progress progress("stability", 0, methods_.size() * result_.axes.cells(), 0, settings_.run.quiet,
                           "cells");
-        for (std::size_t m = 0; m < methods.size(); ++m) {
-            StabilityMap map{methods[m], {}, {}, own_step(methods[m])};
+        for (std::size_t m = 0; m < methods_.size(); ++m) {
+            StabilityMap map{methods_[m], {}, {}, taken_step(methods_[m])};
             advise(map);
-            const Deadline share = deadline_.share(1 / static_cast<double>(methods.size() - m));
+            const Deadline share = deadline_.share(1 / static_cast<double>(methods_.size() - m));
             run_map(map, share, [&](std::size_t done) { progress.update(m * result_.axes.cells() + done); });
             result_.sentences.push_back(summary(map));
             result_.maps.push_back(std::move(map));
@@ -146,25 +168,45 @@ private:
         std::size_t count = 0;
         for (const std::size_t cell : order()) {
             if (share.passed()) return;
-            const Trial trial = run_trial(
-                settings_, subject_, {cell_overrides(map.method, cell), result_.duration_s, nudges_}, share);
-            map.cells[cell] = judge(trial, references_.at(result_.axes.physics(cell)));
+            const Reference& reference = references_.at(result_.axes.physics(cell));
+            if (reference.nudges != nullptr) map.cells[cell] = run_cell(map.method, cell, reference, share);
             done(++count);
         }
+    }
+
+    CellClass run_cell(const std::string& method, std::size_t cell, const Reference& reference,
+                       const Deadline& share) const {
+        const TrialPlan plan{cell_overrides(method, cell), result_.duration_s, *reference.nudges};
+        return judge(run_trial(settings_, subject_, plan, share), reference.speed);
     }
 
     void advise(StabilityMap& map) const {
         const MapAxis& other = result_.axes.other();
         if (result_.axes.step_axis < 0) return;
-        for (const double value : other.values)
-            map.advised_s.push_back(stable_step(map.method, {assignment(other, value)}));
+        for (std::size_t i = 0; i < other.values.size(); ++i) {
+            std::vector<std::string> changes;
+            if (other.physical) changes.push_back(other.assignment(i));
+            map.advised_s.push_back(stable_step(map.method, changes));
+        }
     }
 
-    std::optional<double> own_step(const std::string& method) const {
-        const Trial trial =
-            run_trial(settings_, subject_, {method_only(method, "substep"), subject_.scene().step}, deadline_);
+    std::optional<double> taken_step(const std::string& method) const {
+        const double frame = subject_.scene().step;
+        const Trial trial = run_trial(settings_, subject_,
+                                      {{subject_.assign(subject_.spec().method, method)}, frame}, deadline_);
         if (trial.ending != Ending::done || trial.steps == 0) return std::nullopt;
-        return subject_.scene().step / static_cast<double>(trial.steps);
+        return frame / static_cast<double>(trial.steps);
+    }
+
+    void check_findings() const {
+        const auto all_unknown = [](const StabilityMap& map) {
+            return std::all_of(map.cells.begin(), map.cells.end(),
+                               [](CellClass kind) { return kind == CellClass::unknown; });
+        };
+        if (!deadline_.passed() || !std::all_of(result_.maps.begin(), result_.maps.end(), all_unknown)) return;
+        if (deadline_.interrupted()) throw Fault(FaultKind::limit, "interrupted before a cell was run");
+        throw Fault(FaultKind::limit,
+                    fmt::format("no cell was run in --time {:g}; give more, or vary less", settings_.time));
     }
 
     std::string summary(const StabilityMap& map) const {
@@ -182,8 +224,9 @@ private:
     const Subject& subject_;
     const Deadline& deadline_;
     StabilityResult result_;
-    std::vector<Vec3> nudges_;
-    std::map<std::vector<std::string>, std::optional<double>> references_;  // rms speed, m/s, by physics
+    std::vector<std::string> methods_;
+    std::list<std::vector<Vec3>> nudges_;                       // m; references point into it
+    std::map<std::vector<std::string>, Reference> references_;  // by physics
 };
 
 }  // namespace

@@ -23,16 +23,18 @@ const char* to_string(CellClass kind) noexcept;
 /// One method on the two axes.
 struct StabilityMap {
     std::string method;
-    std::vector<CellClass> cells;   ///< at y * size of the first axis + x
+    std::vector<CellClass> cells;   ///< at row * columns + column
     std::vector<double> advised_s;  ///< s, the adviser's longest stable step for each value of the axis that is
                                     ///< not the step; empty when neither is
-    std::optional<double> own_step_s;  ///< s, that the scene as it stands would take with this method
+    std::optional<double> taken_step_s;  ///< s, that the scene as it stands takes with this method; nothing
+                                         ///< when it does not get through a frame
 };
 
 struct StabilityResult {
     std::string scene;
     std::string table;
     double duration_s = 0;
+    double asked_step_s = 0;  ///< s, the step that the scene asks for; its frame when it names none
     MapAxes axes;
     std::vector<StabilityMap> maps;
     std::vector<std::string> sentences;
@@ -46,7 +48,8 @@ inline constexpr double kNudge = 1e-9;
 inline constexpr double kSpeedFactor = 2;
 
 /// Maps every method over two axes (see choose_axes()). Cells are run from long steps to short ones, so that it
-/// is the most expensive ones that lack of time leaves out. Throws Fault(invalid) as choose_axes() does.
+/// is the most expensive ones that lack of time leaves out. Throws Fault(invalid) as choose_axes() does, and
+/// Fault(limit) when there was no time for a single cell.
 StabilityResult study_stability(const StudySettings& settings, const Subject& subject,
                                 const std::vector<AxisText>& axes, const Deadline& deadline);
 

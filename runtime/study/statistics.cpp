@@ -11,20 +11,29 @@ namespace orbweaver::study {
 
 namespace {
 
-std::vector<Vec3> mean_shape(const Motion& motion) {
+std::vector<Vec3> mean_shape(const Motion& motion, std::size_t first) {
     std::vector<Vec3> mean(motion.particles);
-    for (std::size_t i = 0; i < motion.positions.size(); ++i) mean[i % motion.particles] += motion.positions[i];
-    for (Vec3& place : mean) place = place / static_cast<double>(std::max<std::size_t>(1, motion.rows()));
+    for (std::size_t i = first * motion.particles; i < motion.positions.size(); ++i)
+        mean[i % motion.particles] += motion.positions[i];
+    for (Vec3& place : mean) place = place / static_cast<double>(motion.rows() - first);
     return mean;
 }
 
-double mean_square(const Motion& motion, std::size_t particle, const Vec3& mean) {
+double mean_square(const Motion& motion, std::size_t particle, const Vec3& mean, std::size_t first) {
     double sum = 0;
-    for (std::size_t i = 0; i < motion.rows(); ++i) {
+    for (std::size_t i = first; i < motion.rows(); ++i) {
         const Vec3 away = motion.row(i)[particle] - mean;
         sum += dot(away, away);
     }
-    return sum / static_cast<double>(std::max<std::size_t>(1, motion.rows()));
+    return sum / static_cast<double>(motion.rows() - first);
+}
+
+/// Of the frames that end in row `first` or later.
+double mean_energy(const std::vector<double>& energy, std::size_t first) {
+    const std::size_t begin = first > 0 ? first - 1 : 0;
+    if (begin >= energy.size()) return std::numeric_limits<double>::quiet_NaN();
+    return std::accumulate(energy.begin() + static_cast<std::ptrdiff_t>(begin), energy.end(), 0.0) /
+           static_cast<double>(energy.size() - begin);
 }
 
 double power_at(std::span<const Vec3> samples, std::size_t k) {
@@ -41,20 +50,37 @@ double power_at(std::span<const Vec3> samples, std::size_t k) {
     return std::norm(x) + std::norm(y) + std::norm(z);
 }
 
-double strongest_frequency(const Motion& motion, std::size_t particle, const Vec3& mean) {
+std::vector<Vec3> samples_of(const Motion& motion, std::size_t particle, const Vec3& mean, std::size_t first) {
     constexpr std::size_t kMostSamples = 4096;
-    const std::size_t count = std::min(motion.rows(), kMostSamples);
     std::vector<Vec3> samples;
-    for (std::size_t i = motion.rows() - count; i < motion.rows(); ++i)
+    for (std::size_t i = motion.rows() - std::min(motion.rows() - first, kMostSamples); i < motion.rows(); ++i)
         samples.push_back(motion.row(i)[particle] - mean);
-    std::size_t strongest = 0;
-    double most = 0;
-    for (std::size_t k = 1; k <= count / 2; ++k)
-        if (const double power = power_at(samples, k); power > most) {
-            most = power;
-            strongest = k;
-        }
-    return static_cast<double>(strongest) / (static_cast<double>(count) * motion.frame_s);
+    return samples;
+}
+
+/// Power at 1, 2, ... times the lowest frequency, as shares of the whole; all 0 where nothing moves.
+std::vector<double> spectrum_of(std::span<const Vec3> samples) {
+    std::vector<double> powers;
+    for (std::size_t k = 1; k <= samples.size() / 2; ++k) powers.push_back(power_at(samples, k));
+    const double whole = std::accumulate(powers.begin(), powers.end(), 0.0);
+    if (whole > 0)
+        for (double& power : powers) power /= whole;
+    return powers;
+}
+
+double strongest_frequency(const std::vector<double>& spectrum, std::size_t samples, double frame_s) {
+    const auto strongest = std::max_element(spectrum.begin(), spectrum.end());
+    if (strongest == spectrum.end() || *strongest == 0) return 0;
+    return static_cast<double>(strongest - spectrum.begin() + 1) / (static_cast<double>(samples) * frame_s);
+}
+
+double distance_of_spectra(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) sum += std::abs(a[k] - b[k]);
+    const auto still = [](const std::vector<double>& s) {
+        return std::all_of(s.begin(), s.end(), [](double share) { return share == 0; });
+    };
+    return still(a) != still(b) ? 1 : sum / 2;  // all of the power that only one has
 }
 
 double relative(double found, double reference) {
@@ -63,27 +89,27 @@ double relative(double found, double reference) {
 
 }  // namespace
 
-std::size_t busiest_particle(const Motion& motion) {
-    const std::vector<Vec3> mean = mean_shape(motion);
+std::size_t busiest_particle(const Motion& motion, std::size_t first) {
+    const std::vector<Vec3> mean = mean_shape(motion, first);
     std::size_t busiest = 0;
     double most = -1;
     for (std::size_t i = 0; i < motion.particles; ++i)
-        if (const double square = mean_square(motion, i, mean[i]); square > most) {
+        if (const double square = mean_square(motion, i, mean[i], first); square > most) {
             most = square;
             busiest = i;
         }
     return busiest;
 }
 
-Statistics measure(const Motion& motion, std::size_t particle) {
+Statistics measure(const Motion& motion, std::size_t particle, std::size_t first) {
     Statistics statistics;
-    const auto& energy = motion.energy_j;
-    statistics.mean_energy_j = energy.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                              : std::accumulate(energy.begin(), energy.end(), 0.0) /
-                                                    static_cast<double>(energy.size());
-    statistics.mean_shape = mean_shape(motion);
-    statistics.power_m2 = mean_square(motion, particle, statistics.mean_shape[particle]);
-    statistics.frequency_hz = strongest_frequency(motion, particle, statistics.mean_shape[particle]);
+    statistics.mean_energy_j = mean_energy(motion.energy_j, first);
+    statistics.mean_shape = mean_shape(motion, first);
+    const Vec3& mean = statistics.mean_shape[particle];
+    statistics.power_m2 = mean_square(motion, particle, mean, first);
+    const auto samples = samples_of(motion, particle, mean, first);
+    statistics.spectrum = spectrum_of(samples);
+    statistics.frequency_hz = strongest_frequency(statistics.spectrum, samples.size(), motion.frame_s);
     return statistics;
 }
 
@@ -92,9 +118,17 @@ Deviation compare(const Statistics& found, const Statistics& reference) {
     deviation.energy = relative(found.mean_energy_j, reference.mean_energy_j);
     for (std::size_t i = 0; i < reference.mean_shape.size(); ++i)
         deviation.shape_m = std::max(deviation.shape_m, distance(found.mean_shape[i], reference.mean_shape[i]));
+    deviation.spectrum = distance_of_spectra(found.spectrum, reference.spectrum);
     deviation.frequency = relative(found.frequency_hz, reference.frequency_hz);
     deviation.power = relative(found.power_m2, reference.power_m2);
     return deviation;
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
 }  // namespace orbweaver::study

@@ -16,19 +16,14 @@ constexpr const char* kStyle =
 
 }  // namespace
 
-StudyFiles::StudyFiles(const std::string& folder, const std::string& name)
-    : csv_(folder + "/" + name + ".csv"),
-      json_(folder + "/" + name + ".json"),
-      svg_(folder + "/" + name + ".svg"),
-      page_(folder + "/index.html") {}
+StudyFiles::StudyFiles(const std::string& folder, const std::vector<std::string>& names) {
+    for (const std::string& name : names) files_.emplace_back(fmt::format("{}/{}", folder, name));
+}
 
-void StudyFiles::commit(const std::string& csv, const std::string& json, const std::string& svg,
-                        const std::string& page) {
-    csv_.write(csv);
-    json_.write(json);
-    svg_.write(svg);
-    page_.write(page);
-    for (AtomicFile* file : {&csv_, &json_, &svg_, &page_}) file->commit();
+void StudyFiles::commit(const std::vector<std::string>& texts) {
+    auto text = texts.begin();
+    for (AtomicFile& file : files_) file.write(*text++);
+    for (AtomicFile& file : files_) file.commit();
 }
 
 std::string html_page(const std::string& title, const std::string& body) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <list>
 #include <string>
 #include <vector>
 
@@ -7,16 +8,16 @@
 
 namespace orbweaver::study {
 
-/// The four files of a study, NAME.csv, NAME.json, NAME.svg and index.html. All are opened when this is made,
-/// so that what cannot be written is known before anything is run; none appears before commit(). Throws Fault.
+/// The files of a study. All are opened when this is made, so that what cannot be written is known before
+/// anything is run; none appears before commit(). Throws Fault.
 class StudyFiles {
 public:
-    StudyFiles(const std::string& folder, const std::string& name);
-    void commit(const std::string& csv, const std::string& json, const std::string& svg,
-                const std::string& page);
+    StudyFiles(const std::string& folder, const std::vector<std::string>& names);
+    /// A text for each of the names.
+    void commit(const std::vector<std::string>& texts);
 
 private:
-    AtomicFile csv_, json_, svg_, page_;
+    std::list<AtomicFile> files_;
 };
 
 /// One HTML page that needs nothing else: `body` is HTML.

@@ -33,9 +33,11 @@ std::string to_string(const Rung& rung) {
 }
 
 std::string all_sentences(const Diagnostics& faults) {
-    std::string text;
-    for (const Diagnostic& fault : faults) text += (text.empty() ? "" : "\n") + orbweaver::to_string(fault);
-    return text;
+    std::vector<std::string> sentences;
+    for (const Diagnostic& fault : faults)
+        if (std::string said = orbweaver::to_string(fault); !contains(sentences, said))
+            sentences.push_back(std::move(said));
+    return fmt::format("{}", fmt::join(sentences, "\n"));
 }
 
 Subject::Subject(const StudySettings& settings) : full_duration_(settings.full_duration) {

@@ -63,7 +63,7 @@ private:
     std::vector<std::string> methods_;
 };
 
-/// Every fault in one sentence a line, for Fault(invalid).
+/// Every fault in one sentence a line, said once though several instances have it, for Fault(invalid).
 std::string all_sentences(const Diagnostics& faults);
 
 }  // namespace orbweaver::study

@@ -14,11 +14,48 @@ constexpr double kLeft = 72;
 constexpr double kTop = 34;
 constexpr double kRight = 220;  // room for the legend
 constexpr double kBottom = 52;
+constexpr double kLegendRow = 19;
+constexpr double kLetter = 7.2;  // px, of a wide sans-serif font of 12 px
+constexpr double kSlope = 35;    // degrees, of labels that do not fit beside each other
 
-double place(const Axis& axis, double value) {
+/// Where a value lies along its axis: 0 at its low end, 1 at its high one; what is infinitely far is far.
+double fraction(const Axis& axis, double value) {
+    constexpr double kFar = 1e4;
     const double part = axis.log ? std::log(value / axis.low) / std::log(axis.high / axis.low)
                                  : (value - axis.low) / (axis.high - axis.low);
-    return std::clamp(part, 0.0, 1.0);
+    return std::clamp(part, -kFar, kFar);
+}
+
+double place(const Axis& axis, double value) { return std::clamp(fraction(axis, value), 0.0, 1.0); }
+
+/// Cuts a segment off at the unit square; false when nothing of it lies within (Liang and Barsky 1984).
+bool clip(PlotPoint& a, PlotPoint& b) {
+    const double dx = b.x - a.x;
+    const double dy = b.y - a.y;
+    double first = 0;
+    double last = 1;
+    for (const auto& [change, room] :
+         {std::pair(-dx, a.x), std::pair(dx, 1 - a.x), std::pair(-dy, a.y), std::pair(dy, 1 - a.y)}) {
+        if (change == 0 && room < 0) return false;
+        if (change < 0) first = std::max(first, room / change);
+        if (change > 0) last = std::min(last, room / change);
+    }
+    const PlotPoint start = a;
+    a = {start.x + first * dx, start.y + first * dy};
+    b = {start.x + last * dx, start.y + last * dy};
+    return first <= last;
+}
+
+double text_width(const std::string& text) { return kLetter * static_cast<double>(text.size()); }
+
+double longest_label(const Axis& axis) {
+    double longest = 0;
+    for (const std::string& label : axis.labels) longest = std::max(longest, text_width(label));
+    return longest;
+}
+
+bool has_sloping_labels(const Axis& axis, double width) {
+    return longest_label(axis) * static_cast<double>(axis.labels.size()) > width;
 }
 
 bool can_be_placed(const Axis& axis, double value) { return !std::isnan(value) && (!axis.log || value >= 0); }
@@ -31,14 +68,22 @@ double round_spacing(double span) {
 }
 
 std::vector<double> log_ticks(const Axis& axis) {
-    const double first = std::floor(std::log10(axis.low) + 1e-9);
-    const double last = std::ceil(std::log10(axis.high) - 1e-9);
+    const int first = static_cast<int>(std::floor(std::log10(axis.low) + 1e-9));
+    const int last = static_cast<int>(std::ceil(std::log10(axis.high) - 1e-9));
     const bool between = axis.high <= 100 * axis.low * (1 + 1e-9);
-    const double stride = std::max(1.0, std::ceil((last - first) / 12));
+    const int stride = std::max(1, (last - first + 11) / 12);
     std::vector<double> all;
-    for (double decade = first; decade <= last; decade += stride)
+    for (int decade = first; decade <= last; decade += stride)
         for (const double factor : {1.0, 2.0, 5.0})
             if (factor == 1 || between) all.push_back(factor * std::pow(10, decade));
+    return all;
+}
+
+/// Every label, or as many as have room.
+std::vector<double> label_ticks(std::size_t count) {
+    constexpr std::size_t kMost = 24;
+    std::vector<double> all;
+    for (std::size_t i = 0; i < count; i += (count + kMost - 1) / kMost) all.push_back(static_cast<double>(i));
     return all;
 }
 
@@ -47,8 +92,9 @@ std::string text_at(double x, double y, const char* anchor, const std::string& t
                        escaped(text));
 }
 
-std::string tick_text(double value, bool log) {
-    if (!log || (value >= 0.001 && value < 1000)) return fmt::format("{:.4g}", value);
+std::string tick_text(const Axis& axis, double value) {
+    if (!axis.labels.empty()) return axis.labels[static_cast<std::size_t>(value)];
+    if (!axis.log || (value >= 0.001 && value < 1000)) return fmt::format("{:.4g}", value);
     const int decade = static_cast<int>(std::floor(std::log10(value) + 1e-9));
     return fmt::format("{:.0f}e{}", value / std::pow(10, decade), decade);
 }
@@ -92,19 +138,33 @@ std::string framed(double width, double height, const std::string& elements) {
 }  // namespace
 
 std::vector<double> ticks(const Axis& axis) {
+    if (!axis.labels.empty()) return label_ticks(axis.labels.size());
     std::vector<double> all;
     if (axis.log) {
         all = log_ticks(axis);
     } else {
         const double spacing = round_spacing(axis.high - axis.low);
         const double first = std::ceil(axis.low / spacing - 1e-9);
-        for (double i = first; i * spacing <= axis.high + 1e-9 * spacing; ++i) all.push_back(i * spacing);
+        for (double i = first; i * spacing <= axis.high + 1e-9 * spacing; ++i)
+            all.push_back(i * spacing + 0.0);  // no -0
     }
     constexpr double kRounding = 1e-9;
     std::erase_if(all, [&](double tick) {
         const double slack = kRounding * (axis.log ? tick : axis.high - axis.low);
         return tick < axis.low - slack || tick > axis.high + slack;
     });
+    return all;
+}
+
+std::vector<double> minor_ticks(const Axis& axis) {
+    constexpr double kMostDecades = 12;
+    std::vector<double> all;
+    if (!axis.log || std::log10(axis.high / axis.low) > kMostDecades) return all;
+    const int first = static_cast<int>(std::floor(std::log10(axis.low)));
+    for (int decade = first; decade <= std::log10(axis.high); ++decade)
+        for (int digit = 1; digit < 10; ++digit)
+            if (const double tick = digit * std::pow(10, decade); tick >= axis.low && tick <= axis.high)
+                all.push_back(tick);
     return all;
 }
 
@@ -149,21 +209,36 @@ std::string escaped(const std::string& text) {
 }
 
 SvgPlot::SvgPlot(std::string title, Axis x, Axis y, double width, double height)
-    : title_(std::move(title)), x_(std::move(x)), y_(std::move(y)), width_(width), height_(height) {}
-
-double SvgPlot::x_of(double value) const { return kLeft + place(x_, value) * (width_ - kLeft - kRight); }
-double SvgPlot::y_of(double value) const {
-    return height_ - kBottom - place(y_, value) * (height_ - kTop - kBottom);
+    : title_(std::move(title)),
+      x_(std::move(x)),
+      y_(std::move(y)),
+      left_(std::max(kLeft, longest_label(y_) + 40)),
+      bottom_(kBottom),
+      inner_width_(width - kLeft - kRight),
+      inner_height_(height - kTop - kBottom),
+      legend_width_(kRight) {
+    if (has_sloping_labels(x_, inner_width_)) bottom_ += longest_label(x_) * std::sin(kSlope * 3.14159 / 180);
 }
-double SvgPlot::next_legend_y() { return kTop + 10 + 19 * legends_++; }
+
+double SvgPlot::height() const noexcept {
+    return std::max(kTop + inner_height_ + bottom_, legend_y() + kLegendRow);
+}
+double SvgPlot::x_of(double value) const { return left_ + place(x_, value) * inner_width_; }
+double SvgPlot::y_of(double value) const { return kTop + (1 - place(y_, value)) * inner_height_; }
 
 void SvgPlot::line(std::span<const PlotPoint> points, const std::string& color, bool dashed, double width) {
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const PlotPoint& a = points[i - 1];
-        const PlotPoint& b = points[i];
-        if (can_be_placed(x_, a.x) && can_be_placed(y_, a.y) && can_be_placed(x_, b.x) &&
-            can_be_placed(y_, b.y))
-            drawn_ += line_between(x_of(a.x), y_of(a.y), x_of(b.x), y_of(b.y), color, width, dashed);
+        const PlotPoint& from = points[i - 1];
+        const PlotPoint& to = points[i];
+        if (!can_be_placed(x_, from.x) || !can_be_placed(y_, from.y) || !can_be_placed(x_, to.x) ||
+            !can_be_placed(y_, to.y))
+            continue;
+        PlotPoint a{fraction(x_, from.x), fraction(y_, from.y)};
+        PlotPoint b{fraction(x_, to.x), fraction(y_, to.y)};
+        if (clip(a, b))
+            drawn_ += line_between(left_ + a.x * inner_width_, kTop + (1 - a.y) * inner_height_,
+                                   left_ + b.x * inner_width_, kTop + (1 - b.y) * inner_height_, color, width,
+                                   dashed);
     }
 }
 
@@ -179,24 +254,38 @@ void SvgPlot::cell(const PlotPoint& low, const PlotPoint& high, const std::strin
         x_of(low.x), y_of(high.y), x_of(high.x) - x_of(low.x), y_of(low.y) - y_of(high.y), color);
 }
 
+double SvgPlot::legend_y() const noexcept { return kTop + 10 + kLegendRow * legends_; }
+
+void SvgPlot::add_legend(const std::string& symbol, const std::string& text) {
+    legend_ += symbol + text_at(legend_x() + 28, legend_y() + 4, "start", text);
+    legend_width_ = std::max(legend_width_, 14 + 28 + text_width(text) + 8);
+    ++legends_;
+}
+
 void SvgPlot::legend_line(const std::string& text, const std::string& color, bool dashed) {
-    const double x = width_ - kRight + 14;
-    const double y = next_legend_y();
-    legend_ += line_between(x, y, x + 22, y, color, 1.8, dashed) + text_at(x + 28, y + 4, "start", text);
+    const double y = legend_y();
+    add_legend(line_between(legend_x(), y, legend_x() + 22, y, color, 1.8, dashed), text);
 }
 
 void SvgPlot::legend_mark(const std::string& text, Mark mark, const std::string& color, bool filled) {
-    const double x = width_ - kRight + 14;
-    const double y = next_legend_y();
-    legend_ += mark_at(x + 11, y, mark, color, filled, 4) + text_at(x + 28, y + 4, "start", text);
+    add_legend(mark_at(legend_x() + 11, legend_y(), mark, color, filled, 4), text);
 }
 
 void SvgPlot::legend_cell(const std::string& text, const std::string& color) {
-    const double x = width_ - kRight + 14;
-    const double y = next_legend_y();
-    legend_ += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"16\" height=\"12\" fill=\"{}\"/>\n", x + 3,
-                           y - 6, color) +
-               text_at(x + 28, y + 4, "start", text);
+    add_legend(fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"16\" height=\"12\" fill=\"{}\"/>\n",
+                           legend_x() + 3, legend_y() - 6, color),
+               text);
+}
+
+void SvgPlot::legend_text(const std::string& text) { add_legend("", text); }
+
+std::string SvgPlot::grid() const {
+    std::string svg;
+    for (const double tick : ticks(x_))
+        svg += line_between(x_of(tick), y_of(y_.low), x_of(tick), y_of(y_.high), "#e4e4e4", 1);
+    for (const double tick : ticks(y_))
+        svg += line_between(x_of(x_.low), y_of(tick), x_of(x_.high), y_of(tick), "#e4e4e4", 1);
+    return svg;
 }
 
 std::string SvgPlot::axes() const {
@@ -204,23 +293,33 @@ std::string SvgPlot::axes() const {
     const double right = x_of(x_.high);
     const double bottom = y_of(y_.low);
     const double top = y_of(y_.high);
+    const bool sloping = has_sloping_labels(x_, inner_width_);
     std::string svg;
-    for (const double tick : ticks(x_))
-        svg += line_between(x_of(tick), bottom, x_of(tick), top, "#e4e4e4", 1) +
-               text_at(x_of(tick), bottom + 17, "middle", tick_text(tick, x_.log));
+    for (const double tick : ticks(x_)) {
+        const double x = x_of(tick);
+        const std::string turn =
+            sloping ? fmt::format(" transform=\"rotate(-{} {:.1f} {:.1f})\"", kSlope, x + 4, bottom + 17) : "";
+        svg += line_between(x, bottom, x, bottom + 5, "#444", 1) + text_at(sloping ? x + 4 : x, bottom + 17,
+                                                                           sloping ? "end" : "middle",
+                                                                           tick_text(x_, tick), turn.c_str());
+    }
     for (const double tick : ticks(y_))
-        svg += line_between(left, y_of(tick), right, y_of(tick), "#e4e4e4", 1) +
-               text_at(left - 7, y_of(tick) + 4, "end", tick_text(tick, y_.log));
+        svg += line_between(left - 5, y_of(tick), left, y_of(tick), "#444", 1) +
+               text_at(left - 8, y_of(tick) + 4, "end", tick_text(y_, tick));
+    for (const double tick : minor_ticks(x_))
+        svg += line_between(x_of(tick), bottom, x_of(tick), bottom + 3, "#888", 1);
+    for (const double tick : minor_ticks(y_))
+        svg += line_between(left - 3, y_of(tick), left, y_of(tick), "#888", 1);
     svg +=
         line_between(left, bottom, right, bottom, "#444", 1) + line_between(left, bottom, left, top, "#444", 1);
-    svg += text_at((left + right) / 2, bottom + 40, "middle", x_.label);
+    svg += text_at((left + right) / 2, bottom + bottom_ - 12, "middle", x_.label);
     svg += text_at(18, (top + bottom) / 2, "middle", y_.label,
                    fmt::format(" transform=\"rotate(-90 18 {:.1f})\"", (top + bottom) / 2).c_str());
     return svg + text_at(left, 20, "start", title_, " font-size=\"14\" font-weight=\"bold\"");
 }
 
-std::string SvgPlot::elements() const { return axes() + cells_ + drawn_ + legend_; }
-std::string SvgPlot::document() const { return framed(width_, height_, elements()); }
+std::string SvgPlot::elements() const { return grid() + cells_ + axes() + drawn_ + legend_; }
+std::string SvgPlot::document() const { return framed(width(), height(), elements()); }
 
 std::string svg_grid(std::span<const SvgPlot> plots, std::size_t columns) {
     double width = 0;
@@ -230,10 +329,12 @@ std::string svg_grid(std::span<const SvgPlot> plots, std::size_t columns) {
         height = std::max(height, plot.height());
     }
     std::string all;
-    for (std::size_t i = 0; i < plots.size(); ++i)
+    for (std::size_t i = 0; i < plots.size(); ++i) {
+        const std::size_t row = i / columns;
         all += fmt::format("<g transform=\"translate({:.0f} {:.0f})\">\n{}</g>\n",
-                           static_cast<double>(i % columns) * width, static_cast<double>(i / columns) * height,
+                           static_cast<double>(i % columns) * width, static_cast<double>(row) * height,
                            plots[i].elements());
+    }
     const auto rows = (plots.size() + columns - 1) / columns;
     return framed(width * static_cast<double>(std::min(columns, plots.size())),
                   height * static_cast<double>(rows), all);

@@ -12,11 +12,14 @@ struct Axis {
     double low = 0;
     double high = 1;
     bool log = false;
+    std::vector<std::string> labels = {};  ///< what stands at 0, 1, 2, ... instead of numbers; empty: numbers
 };
 
 /// Where ticks stand: at powers of ten on a logarithmic axis (with 2 and 5 between them when it spans fewer
-/// than three), at round numbers on a linear one.
+/// than three), at round numbers on a linear one, at each label where there are some.
 std::vector<double> ticks(const Axis& axis);
+/// Where a logarithmic axis is marked without a number: at every digit times a power of ten.
+std::vector<double> minor_ticks(const Axis& axis);
 
 /// A range that holds all these values and is never empty. On a logarithmic axis it ends at powers of ten and
 /// values that are not positive take no part.
@@ -34,7 +37,8 @@ enum class Mark : std::uint8_t { circle, square, triangle, diamond };
 std::string color_of(std::size_t n);
 Mark mark_of(std::size_t n);
 
-/// A plot with two axes, as SVG. Values beyond an axis are drawn at its end; what is not a number is left out.
+/// A plot with two axes, as SVG. Marks beyond an axis are drawn at its end, lines are cut off there; what is
+/// not a number is left out. It grows where labels and legend need more than is usual.
 class SvgPlot {
 public:
     SvgPlot(std::string title, Axis x, Axis y, double width = 790, double height = 480);
@@ -47,9 +51,11 @@ public:
     void legend_line(const std::string& text, const std::string& color, bool dashed = false);
     void legend_mark(const std::string& text, Mark mark, const std::string& color, bool filled = true);
     void legend_cell(const std::string& text, const std::string& color);
+    /// An entry that has nothing in the plot.
+    void legend_text(const std::string& text);
 
-    double width() const noexcept { return width_; }
-    double height() const noexcept { return height_; }
+    double width() const noexcept { return left_ + inner_width_ + legend_width_; }
+    double height() const noexcept;
     /// The plot with its axes as elements of SVG, its upper left corner at the origin.
     std::string elements() const;
     /// A whole SVG document.
@@ -58,12 +64,15 @@ public:
 private:
     double x_of(double value) const;
     double y_of(double value) const;
-    double next_legend_y();
+    void add_legend(const std::string& symbol, const std::string& text);
+    double legend_x() const noexcept { return left_ + inner_width_ + 14; }
+    double legend_y() const noexcept;
+    std::string grid() const;
     std::string axes() const;
 
     std::string title_;
     Axis x_, y_;
-    double width_, height_;
+    double left_, bottom_, inner_width_, inner_height_, legend_width_;
     std::string cells_, drawn_, legend_;
     int legends_ = 0;
 };

@@ -1,6 +1,7 @@
 #include "study/accuracy_files.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 using namespace orbweaver;
@@ -14,13 +15,15 @@ AccuracyResult sample() {
     result.table = "web";
     result.duration_s = 1;
     result.frame_s = 0.5;
-    result.conditioning = {{0, 0.5, 1}, {1e-10, 1e-8, 1e-5}, 0.5, 2, false};
+    result.conditioning = {{0, 0.5, 1}, {1e-10, 1e-8, 1e-5}, 0.5, 2, false, {"rk4", 0.002, 0}};
+    result.twin = {0.01, 1e-4, 0.02, 0, 0.03};
     result.reference = {"rk4", 1e-5, 0};
     result.second = {"verlet", 1e-6, 0};
     result.uncertainty_m = 1e-9;
-    result.rows = {{{"rk4", 0.001, 0}, 1e-4, 0.25, 1000, "done", Deviation{0.1, 1e-3, 0, 0.2}},
-                   {{"rk4", 0.0005, 0}, 1e-9, 0.5, 2000, "unresolved", Deviation{}},
-                   {{"tsit5", 0, 1e-6}, std::nullopt, 0.125, 7, "diverged", std::nullopt}};
+    result.rows = {
+        {{"rk4", 0.001, 0}, 1e-4, 0.25, 1000, "done", Deviation{0.1, 1e-3, 0.5, 0, 0.2}, 2},
+        {{"rk4", 0.0005, 0}, 1e-9, 0.5, 2000, "unresolved", Deviation{std::nan(""), 0, 0, 0, HUGE_VAL}},
+        {{"tsit5", 0, 1e-6}, std::nullopt, 0.125, 7, "diverged", std::nullopt}};
     result.front = {0};
     result.sentences = {"within 1e-4 m: rk4 at 1 ms, 0.25 s"};
     return result;
@@ -36,6 +39,21 @@ TEST_CASE("the CSV has its columns, and leaves empty what a row does not have", 
           "tsit5,,1e-06,,0.125,7,diverged\n");
 }
 
+TEST_CASE("the statistics are a table of their own, the twin's first", "[unit]") {
+    CHECK(statistics_csv(sample()) ==
+          "method,step_s,tolerance,mean_energy_relative,mean_shape_m,spectrum_distance,frequency_relative,"
+          "power_relative\n"
+          "twin,0.002,,0.01,0.0001,0.02,0,0.03\n"
+          "rk4,0.001,,0.1,0.001,0.5,0,0.2\n"
+          "rk4,0.0005,,,0,0,0,\n");
+    const std::string page = accuracy_page(sample());
+    CHECK_THAT(page, Catch::Contains("from 500 ms to the end, beyond the horizon"));
+    CHECK_THAT(page,
+               Catch::Contains("<td>rk4</td><td>1 ms</td><td>1.0e-01</td><td>1.0e-03</td><td>5.0e-01</td>"));
+    CHECK_THAT(page, Catch::Contains("<td>rk4</td><td>500 us</td><td>-</td><td>0.0e+00</td>"));
+    CHECK_THAT(page, !Catch::Contains("nan") && !Catch::Contains("inf<"));
+}
+
 TEST_CASE("the JSON says how the reference was found and what each run came to", "[unit]") {
     const auto json = nlohmann::json::parse(accuracy_json(sample()));
     CHECK(json["conditioning"]["horizon_s"] == 0.5);
@@ -46,7 +64,14 @@ TEST_CASE("the JSON says how the reference was found and what each run came to",
     CHECK(json["reference"]["confirmed_by"]["method"] == "verlet");
     CHECK(json["reference"]["uncertainty_m"] == 1e-9);
     CHECK(json["rows"].size() == 3);
+    CHECK(json["rows"][0]["statistics"]["mean_energy_relative"] == 0.1);
     CHECK(json["rows"][0]["statistics"]["mean_shape_m"] == 1e-3);
+    CHECK(json["rows"][0]["statistics"]["spectrum_distance"] == 0.5);
+    CHECK(json["rows"][1]["statistics"]["mean_energy_relative"].is_null());
+    CHECK(json["rows"][0]["timed_runs"] == 2);
+    CHECK(json["conditioning"]["run"]["step_s"] == 0.002);
+    CHECK(json["conditioning"]["statistics"]["spectrum_distance"] == 0.02);
+    CHECK(json["reference"]["statistics"]["from_s"] == 0.5);
     CHECK(json["rows"][2]["error_m"].is_null());
     CHECK(json["pareto"] == nlohmann::json::array({0}));
     CHECK(json["sentences"].back() == "within 1e-4 m: rk4 at 1 ms, 0.25 s");
@@ -67,9 +92,15 @@ TEST_CASE("the picture has a mark a run, hollow where nothing is resolved", "[un
     const std::string svg = accuracy_svg(sample());
     CHECK_THAT(svg, Catch::StartsWith("<svg xmlns"));
     CHECK_THAT(svg, Catch::Contains("run time / s"));
-    CHECK_THAT(svg, Catch::Contains("largest error / m"));
+    CHECK_THAT(svg, Catch::Contains("largest error up to 500 ms / m"));
     CHECK_THAT(svg, Catch::Contains("fill=\"white\" stroke=\"#0072b2\""));
     CHECK_THAT(svg, Catch::Contains("tsit5: none ended"));
+}
+
+TEST_CASE("of runs that were timed twice the page says what their median is", "[unit]") {
+    CHECK_THAT(accuracy_page(sample()),
+               Catch::Contains("medians of as many runs as the table tells (of two their"));
+    CHECK_THAT(accuracy_page(sample()), Catch::Contains("<td>0.25</td><td>2</td><td>1000</td><td>done</td>"));
 }
 
 TEST_CASE("what is printed begins with the horizon and the reference", "[unit]") {

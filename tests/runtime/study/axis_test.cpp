@@ -20,31 +20,6 @@ MapAxis resolved(const OscillatorScene& scene, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("an axis is a path, two ends and a count", "[unit]") {
-    const auto axis = parse_axis("web.strand.stiffness=1e-5..0.1:16:lin");
-    REQUIRE(axis);
-    CHECK(axis->path == "web.strand.stiffness");
-    CHECK(axis->low.value == 1e-5);
-    CHECK(axis->high.value == 0.1);
-    CHECK(axis->count == 16);
-    CHECK(axis->log == false);
-    CHECK(parse_axis("a.b=1..2:3")->log == std::nullopt);
-    CHECK(parse_axis("a.b=1..2:3:log")->log == true);
-    CHECK(parse_axis("a.b=-2..-1:3"));
-}
-
-TEST_CASE("what is no axis is none", "[extreme]") {
-    for (const char* text :
-         {"", "web.step", "web.step=1", "web.step=1..2", "step=1..2:3", "web.step=2..1:3", "web.step=1..1:3",
-          "web.step=1..2:1", "web.step=1..2:201", "web.step=1..2:-3", "web.step=1..2:3:cubic",
-          "web.step=0..2:3:log", "web.step=-1..2:3:log", "web.step=a..b:3", "web.step=1..1e999:3",
-          "web.step=nan..2:3", "web.step=1 parsec..2 parsec:3", "web.step=1..2:3:lin:lin",
-          "web.step=1..2:99999999999"}) {
-        CAPTURE(text);
-        CHECK_FALSE(parse_axis(text));
-    }
-}
-
 TEST_CASE("values are spaced evenly, in the logarithm or not, and end where they should", "[unit]") {
     const auto log = spaced(1e-3, 10, 5, true);
     for (std::size_t i = 0; i < 5; ++i) CHECK(log[i] == Approx(std::pow(10, static_cast<double>(i) - 3)));
@@ -68,6 +43,38 @@ TEST_CASE("an axis finds its option, in the option's unit", "[unit]") {
     CHECK(resolved(scene, "scene.step=1e-3..1e-2:3").own == 0.01);
 }
 
+TEST_CASE("numbers may be listed, in any order and with one unit for all", "[unit]") {
+    const OscillatorScene scene("omega = 12");
+    const MapAxis step = resolved(scene, "oscillator.step=5,1,20 ms");
+    CHECK(step.values == std::vector<double>{0.001, 0.005, 0.02});
+    CHECK(step.log);
+    CHECK_FALSE(step.labelled());
+    CHECK(step.assignment(1) == "oscillator.step=0.005");
+    CHECK_FALSE(resolved(scene, "oscillator.growth=0,1,10").log);
+    CHECK(resolved(scene, "oscillator.omega=1,30").own == 12);
+}
+
+TEST_CASE("options of whole numbers take whole numbers", "[unit]") {
+    const OscillatorScene scene;
+    const MapAxis seed = resolved(scene, "scene.seed=1..4:9:lin");
+    CHECK(seed.values == std::vector<double>{1, 2, 3, 4});
+    CHECK(seed.own == 1);
+    CHECK(seed.assignment(2) == "scene.seed=3");
+    CHECK_THAT(fault_of([&] { resolved(scene, "scene.seed=1..1.2:3"); }),
+               Catch::Contains("these come to one whole number"));
+}
+
+TEST_CASE("values that are no numbers are labels, as typed and in that order", "[unit]") {
+    const OscillatorScene scene;
+    const MapAxis axis = resolved(scene, "oscillator.on_unstable=stop,substep,as_asked");
+    CHECK(axis.labelled());
+    CHECK(axis.values == std::vector<double>{0, 1, 2});
+    CHECK_FALSE(axis.log);
+    CHECK(axis.assignment(0) == "oscillator.on_unstable=stop");
+    CHECK(std::get<std::string>(*planned_value(axis, plan_scene(scene.settings.run).plan)) == "substep");
+    CHECK(resolved(scene, "scene.gravity=[0,0,0],[0,-9.81,0]").text(1) == "[0,-9.81,0]");
+}
+
 TEST_CASE("an axis that the scene does not know is refused in words", "[extreme]") {
     const OscillatorScene scene;
     struct Case {
@@ -76,13 +83,22 @@ TEST_CASE("an axis that the scene does not know is refused in words", "[extreme]
     };
     const Case cases[] = {
         {"web.step=1..2:3",
-         "--axis web.step: the scene has no [web] that is run; expected an option of scene or oscillator"},
-        {"oscillator.stifness=1..2:3", "did you mean stiffness?"},
+         "--axis web.step: the scene has no [web] that is run; add one to the scene or by --set web.KEY=VALUE, "
+         "or vary an option of oscillator or scene"},
+        {"scene.duration_s=1,2",
+         "[scene] has no option 'duration_s'; did you mean 'duration'? expected name, "},
+        {"oscillator.color=1,2",
+         "[oscillator] has no option 'color'; 'orbweaver modules oscillator' lists all"},
+        {"oscillator.stifness=1..2:3", "did you mean 'stiffness'?"},
         {"oscillator.method=1..2:3",
-         "--axis oscillator.method: [oscillator] has no option 'method' that is a "
-         "number; expected omega, amplitude"},
+         "--axis oscillator.method: 'method' is of type choice, which has no range; expected a list of values"},
         {"oscillator.step=1 m..2 m:3",
-         "--axis oscillator.step: its ends are not in the option's unit; expected s or plain numbers"},
+         "--axis oscillator.step: its values are not in the option's unit; expected s or plain numbers"},
+        {"oscillator.step=1 ms,2 m", "its values are not in the option's unit"},
+        {"oscillator.step=1,long", "'long' is no number; expected numbers of s"},
+        {"oscillator.omega=1,nan", "'nan' is no number; expected numbers of 1/s"},
+        {"oscillator.step=1 ms,0.001 s", "0.001 is listed twice; name different values"},
+        {"oscillator.on_unstable=stop,stop", "stop is listed twice; name different values"},
     };
     for (const Case& c : cases) {
         CAPTURE(c.axis);

@@ -9,13 +9,13 @@ using namespace orbweaver;
 using namespace orbweaver::study;
 using namespace orbweaver::test;
 
-TEST_CASE("each study leaves its four files", "[scene]") {
+TEST_CASE("each study leaves its files", "[scene]") {
     OscillatorScene scene;
     run_accuracy(scene.settings);
     run_stability(scene.settings, {});
     CHECK(Folder::names_in(scene.settings.out) ==
-          std::vector<std::string>{"accuracy.csv", "accuracy.json", "accuracy.svg", "index.html",
-                                   "stability.csv", "stability.json", "stability.svg"});
+          std::vector<std::string>{"accuracy.csv", "accuracy.json", "accuracy.svg", "accuracy_statistics.csv",
+                                   "index.html", "stability.csv", "stability.json", "stability.svg"});
     CHECK_THAT(read_file(scene.settings.out + "/index.html"),
                Catch::Contains("swing: where each method holds"));
 }

@@ -18,6 +18,7 @@ const std::string kFast = "omega = 1000\namplitude = 1e-4\n";
 StabilityResult studied(OscillatorScene& scene, const std::vector<std::string>& axes) {
     const Subject subject(scene.settings);
     std::vector<AxisText> parsed;
+    parsed.reserve(axes.size());
     for (const std::string& axis : axes) parsed.push_back(*parse_axis(axis));
     return study_stability(scene.settings, subject, parsed, scene.deadline);
 }
@@ -44,7 +45,8 @@ TEST_CASE("the map of a method is stable below its limit, diverged above, with t
                   (result.axes.x.values[i] < limit ? CellClass::stable : CellClass::diverged));
         }
     }
-    CHECK(*map.own_step_s == Approx(0.001));  // half the stable 2/omega, at a stiffness of 1
+    CHECK(result.asked_step_s == 0.01);         // it names none, so its frame
+    CHECK(*map.taken_step_s == Approx(0.001));  // half the stable 2/omega, at a stiffness of 1
 }
 
 TEST_CASE("a run that ends but moves otherwise is degraded", "[unit]") {
@@ -66,7 +68,7 @@ TEST_CASE("without axes the step and the module's own are mapped, for all method
     REQUIRE(result.maps.size() == 3);
     CHECK(result.maps[2].method == "rk4");
     CHECK(result.sentences.size() == 3);
-    CHECK_FALSE(result.maps[0].own_step_s);  // of explicit Euler no step is stable: as it is, it is refused
+    CHECK_FALSE(result.maps[0].taken_step_s);  // of explicit Euler no step is stable: as it is, it is refused
 }
 
 TEST_CASE("two axes that are no step map what the physics do", "[unit]") {
@@ -76,6 +78,53 @@ TEST_CASE("two axes that are no step map what the physics do", "[unit]") {
     CHECK(result.axes.step_axis == -1);
     CHECK(result.maps[0].advised_s.empty());
     for (const CellClass kind : result.maps[0].cells) CHECK(kind == CellClass::stable);
+}
+
+TEST_CASE("what is done about unstable steps is an axis, and compared with the same physics", "[unit]") {
+    OscillatorScene scene(kFast);  // verlet holds up to 2 ms
+    scene.settings.methods = {"verlet"};
+    const StabilityResult result =
+        studied(scene, {"oscillator.step=1 ms,5 ms", "oscillator.on_unstable=stop,as_asked,substep"});
+    CHECK(result.maps[0].cells == std::vector<CellClass>{CellClass::stable, CellClass::refused,  //
+                                                         CellClass::stable, CellClass::diverged,
+                                                         CellClass::stable, CellClass::stable});
+    for (const double advised : result.maps[0].advised_s) CHECK(advised == Approx(0.002));
+    CHECK(result.axes.y.own == 2);
+}
+
+TEST_CASE("tolerances are mapped for the methods that have one", "[unit]") {
+    OscillatorScene scene;
+    const StabilityResult result =
+        studied(scene, {"oscillator.tolerance=1e-8..1e-4:3", "oscillator.omega=10..40:2"});
+    REQUIRE(result.maps.size() == 1);
+    CHECK(result.maps[0].method == "adaptive");
+    for (const CellClass kind : result.maps[0].cells) CHECK(kind == CellClass::stable);
+}
+
+TEST_CASE("the frame is an axis as any other", "[unit]") {
+    OscillatorScene scene;
+    scene.settings.methods = {"verlet"};
+    const StabilityResult result = studied(scene, {"scene.step=5,10,20 ms", "oscillator.omega=10,20"});
+    for (const CellClass kind : result.maps[0].cells) CHECK(kind == CellClass::stable);
+    CHECK(result.axes.x.own == 0.01);
+}
+
+TEST_CASE("a scene that is stopped at the step it asks for takes none", "[unit]") {
+    OscillatorScene scene(kFast + "on_unstable = \"stop\"\nstep = 0.005");
+    scene.settings.methods = {"verlet"};
+    const StabilityResult result = studied(scene, {"oscillator.step=1 ms,5 ms", "oscillator.stiffness=1,2"});
+    CHECK(result.asked_step_s == 0.005);
+    CHECK_FALSE(result.maps[0].taken_step_s);
+}
+
+TEST_CASE("a map of nothing is none", "[extreme]") {
+    OscillatorScene scene(kFast);
+    const Subject subject(scene.settings);
+    const auto study = [&] {
+        study_stability(scene.settings, subject, {}, deadline_in(1e-6, scene.interrupt));
+    };
+    CHECK(kind_of_fault(study) == FaultKind::limit);
+    CHECK_THAT(fault_of(study), Catch::Contains("no cell was run in --time"));
 }
 
 TEST_CASE("cells that there is no time for are unknown, those of short steps first", "[extreme]") {
@@ -93,5 +142,6 @@ TEST_CASE("cells that there is no time for are unknown, those of short steps fir
 TEST_CASE("methods without a step cannot be mapped over one", "[extreme]") {
     OscillatorScene scene;
     scene.settings.methods = {"adaptive"};
-    CHECK_THAT(fault_of([&] { studied(scene, {}); }), Catch::Contains("have no step that an axis could vary"));
+    CHECK_THAT(fault_of([&] { studied(scene, {}); }),
+               Catch::Contains("have no step or tolerance that an axis could vary"));
 }

@@ -8,25 +8,23 @@ using namespace orbweaver;
 using namespace orbweaver::study;
 using namespace orbweaver::test;
 
-TEST_CASE("four files appear together, and only when they are whole", "[unit]") {
+TEST_CASE("files appear together, and only when they are whole", "[unit]") {
     const Folder folder;
     {
-        const StudyFiles files(folder.path("a/b"), "accuracy");
-        CHECK_FALSE(std::filesystem::exists(folder.path("a/b/accuracy.csv")));
+        const StudyFiles files(folder.path("a/b"), {"study.csv", "index.html"});
+        CHECK_FALSE(std::filesystem::exists(folder.path("a/b/study.csv")));
     }
     CHECK(std::filesystem::is_empty(folder.path("a/b")));
-    StudyFiles files(folder.path("a/b"), "accuracy");
-    files.commit("1", "2", "3", "4");
-    CHECK(read_file(folder.path("a/b/accuracy.csv")) == "1");
-    CHECK(read_file(folder.path("a/b/accuracy.json")) == "2");
-    CHECK(read_file(folder.path("a/b/accuracy.svg")) == "3");
-    CHECK(read_file(folder.path("a/b/index.html")) == "4");
+    StudyFiles files(folder.path("a/b"), {"study.csv", "index.html"});
+    files.commit({"1", "2"});
+    CHECK(read_file(folder.path("a/b/study.csv")) == "1");
+    CHECK(read_file(folder.path("a/b/index.html")) == "2");
 }
 
 TEST_CASE("a folder that cannot be written is known at once", "[extreme]") {
     const Folder folder;
     folder.write("file", "");
-    CHECK_THAT(fault_of([&] { StudyFiles(folder.path("file"), "accuracy"); }),
+    CHECK_THAT(fault_of([&] { StudyFiles(folder.path("file"), {"accuracy.csv"}); }),
                Catch::Contains("file/accuracy.csv: cannot be written"));
 }
 

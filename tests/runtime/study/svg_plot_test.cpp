@@ -25,6 +25,58 @@ TEST_CASE("linear axes are ticked at round numbers", "[unit]") {
     CHECK(shifted.back() == Approx(15));
 }
 
+TEST_CASE("an axis of labels is ticked at each, or at as many as have room", "[unit]") {
+    CHECK(ticks({"x", -0.5, 2.5, false, {"a", "b", "c"}}) == std::vector<double>{0, 1, 2});
+    CHECK(ticks({"x", -0.5, 99.5, false, std::vector<std::string>(100, "a")}).size() == 20);
+    const SvgPlot plot("t", {"x", -0.5, 1.5, false, {"calm", "a < b"}}, {"y", 0, 1, false}, 492, 286);
+    CHECK_THAT(plot.elements(), Catch::Contains(">calm</text>") && Catch::Contains(">a &lt; b</text>"));
+}
+
+TEST_CASE("logarithmic axes are marked between their numbers", "[unit]") {
+    const auto all = minor_ticks({"x", 1, 100, true});
+    REQUIRE(all.size() == 19);
+    CHECK(all[1] == Approx(2));
+    CHECK(all[10] == Approx(20));
+    CHECK(minor_ticks({"x", 1, 100, false}).empty());
+    CHECK(minor_ticks({"x", 1e-300, 1e300, true}).empty());
+}
+
+TEST_CASE("zero has no sign", "[unit]") {
+    const SvgPlot plot("t", {"x", 0, 1, false}, {"y", 0, 1, false});
+    CHECK_THAT(plot.elements(), !Catch::Contains(">-0<"));
+}
+
+TEST_CASE("a plot grows by what its labels and legend need", "[unit]") {
+    const Axis usual{"x", 0, 1, false};
+    const std::string name(40, 'a');
+    SvgPlot plot("t", usual, usual, 492, 286);
+    CHECK(plot.width() == 492);
+    CHECK(plot.height() == 286);
+    plot.legend_text(name);
+    CHECK(plot.width() > 492);
+    for (int i = 0; i < 20; ++i) plot.legend_text("b");
+    CHECK(plot.height() > 400);
+    const Axis labels{"y", -0.5, 1.5, false, {name, "b"}};
+    CHECK(SvgPlot("t", usual, labels, 492, 286).width() > 600);
+    const SvgPlot sloping("t", labels, usual, 492, 286);
+    CHECK(sloping.height() > 400);
+    CHECK_THAT(sloping.elements(), Catch::Contains("rotate(-35"));
+}
+
+TEST_CASE("a line is cut off where it leaves the plot", "[unit]") {
+    SvgPlot plot("t", {"x", 1, 100, true}, {"y", 0, 10, false}, 492, 286);  // 200 by 200 inside
+    const PlotPoint out[] = {{10, 5}, {100, 15}};
+    plot.line(out, "#123456");
+    CHECK_THAT(plot.elements(), Catch::Contains("<line x1=\"172.0\" y1=\"134.0\" x2=\"222.0\" y2=\"34.0\""));
+    const std::size_t before = plot.elements().size();
+    const PlotPoint beyond[] = {{200, 1}, {300, 9}};
+    plot.line(beyond, "#123456");
+    CHECK(plot.elements().size() == before);
+    const PlotPoint across[] = {{0, 5}, {HUGE_VAL, 5}};
+    plot.line(across, "#654321");
+    CHECK_THAT(plot.elements(), Catch::Contains("<line x1=\"72.0\" y1=\"134.0\" x2=\"272.0\" y2=\"134.0\""));
+}
+
 TEST_CASE("an axis holds all values that can be shown and is never empty", "[unit]") {
     const double values[] = {3e-4, 0.2, 0, -1, HUGE_VAL, std::nan("")};
     const Axis log = axis_around("x", values, true);

@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "shipped_scenes.hpp"
+#include "study/accuracy.hpp"
+#include "study/accuracy_files.hpp"
+#include "study/stability.hpp"
+
+using namespace orbweaver;
+using namespace orbweaver::study;
+
+namespace {
+
+struct StudiedScene {
+    StudySettings settings;
+    Interrupt interrupt;
+    Deadline deadline = deadline_in(60, interrupt);
+
+    StudiedScene(const std::string& name, const std::vector<std::string>& methods) {
+        settings.run.scene_path = scene_path(name);
+        settings.run.module_directories = {ORBWEAVER_MODULE_DIR};
+        settings.run.quiet = true;
+        settings.methods = methods;
+        settings.repeats = 1;
+    }
+
+    StabilityResult map(const std::vector<std::string>& axes) const {
+        std::vector<AxisText> parsed;
+        parsed.reserve(axes.size());
+        for (const std::string& axis : axes) parsed.push_back(*parse_axis(axis));
+        return study_stability(settings, Subject(settings), parsed, deadline);
+    }
+
+    void shorten(const std::string& duration) {
+        settings.run.overrides.push_back("scene.duration=" + duration);
+        settings.full_duration = true;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("twins of two methods that may go by tolerance are run by equal steps", "[scene]") {
+    StudiedScene scene("strand", {"rk4"});
+    scene.settings.references = {"tsit5", "tr_bdf2"};
+    scene.shorten("0.05");
+    scene.deadline = deadline_in(10, scene.interrupt);
+    const AccuracyResult result = study_accuracy(scene.settings, Subject(scene.settings), scene.deadline);
+    CHECK(result.conditioning.rung.method == "tsit5");
+    CHECK(result.conditioning.rung.step > 0);
+    CHECK(result.conditioning.rung.tolerance == 0);
+    // The strand is damped: what its twin is displaced by does not grow.
+    CHECK(*std::max_element(result.conditioning.deviation_m.begin(), result.conditioning.deviation_m.end()) <
+          10 * kDisplacement);
+}
+
+TEST_CASE("the web of the thesis leaves its horizon within tenths of a second, and is compared beyond it",
+          "[scene]") {
+    StudiedScene scene("thesis_web", {"symplectic_euler"});
+    scene.shorten("0.2");
+    scene.deadline = deadline_in(30, scene.interrupt);
+    const AccuracyResult result = study_accuracy(scene.settings, Subject(scene.settings), scene.deadline);
+    CHECK_FALSE(result.conditioning.whole);
+    CHECK(result.conditioning.horizon_s < 0.1);
+    CHECK(*std::max_element(result.conditioning.deviation_m.begin(), result.conditioning.deviation_m.end()) >
+          1e-3);
+    CHECK(result.twin.energy > 0);
+    CHECK(result.twin.shape_m > 1e-6);
+    CHECK(result.twin.spectrum > 0);
+    const auto sentences = accuracy_sentences(result);
+    CHECK(std::any_of(sentences.begin(), sentences.end(), [](const std::string& text) {
+        return text.starts_with("beyond ") && text.find("mean energy") != std::string::npos;
+    }));
+}
+
+TEST_CASE("the map of the thesis's web reaches the step that the thesis asks for", "[scene]") {
+    StudiedScene scene("thesis_web", {"rk4"});
+    scene.shorten("0.02");
+    const StabilityResult result = scene.map({"web.stiffness_scale=1,2"});
+    CHECK(result.asked_step_s == 0.02);
+    CHECK(result.axes.x.values.back() == 0.02);
+    CHECK(*result.maps[0].taken_step_s < 0.001);
+    CHECK(result.maps[0].cells[result.axes.columns() - 1] != CellClass::stable);
+}
+
+TEST_CASE("an axis may change how many particles there are, and which", "[scene]") {
+    StudiedScene scene("strand", {"rk4"});
+    scene.shorten("0.05");
+    const StabilityResult result = scene.map({"web.step=0.1,0.2 ms", "web.strand.placement=2,5,10 mm"});
+    for (const CellClass kind : result.maps[0].cells) CHECK(kind == CellClass::stable);
+}
+
+TEST_CASE("winds and materials are axes by their names", "[scene]") {
+    StudiedScene scene("strand", {"verlet"});
+    scene.shorten("0.05");
+    scene.settings.run.overrides.insert(scene.settings.run.overrides.end(),
+                                        {"wind.model=steady", "wind.velocity=[1, 0, 0]"});
+    const StabilityResult winds = scene.map({"wind.model=calm,steady,thesis", "web.settle=false,true"});
+    for (const CellClass kind : winds.maps[0].cells) CHECK(kind == CellClass::stable);
+    CHECK(winds.axes.x.own == 1);
+    CHECK(winds.axes.y.own == 0);
+}
