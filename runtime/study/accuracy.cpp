@@ -130,6 +130,9 @@ private:
                 return leave_out(rungs[k].method, rungs.size() - k, rungs.size());
             done(k + 1);
         }
+        if (!refusal_.empty())
+            result_.sentences.push_back(
+                fmt::format("{}: refused down to its finest rung: {}", rungs.back().method, refusal_));
     }
 
     void leave_out(const std::string& method, std::size_t count, std::size_t rungs) {
@@ -146,6 +149,7 @@ private:
         const TrialPlan plan{subject_.overrides(rung), result_.duration_s};
         const Trial trial = run_trial(settings_, subject_, plan, share);
         if (trial.ending == Ending::timeout) return false;
+        refusal_ = trial.ending == Ending::refused ? trial.message : "";
         elapsed = trial.elapsed_s;
         std::vector<double> walls{trial.wall_s};
         for (int i = 1; i < settings_.repeats && trial.ending == Ending::done; ++i) {
@@ -233,6 +237,7 @@ private:
     double stable_reference_ = 0;  // s
     Motion reference_;
     std::size_t busiest_ = 0;
+    std::string refusal_;  // of the rung run last; empty: it was not refused
 };
 
 }  // namespace

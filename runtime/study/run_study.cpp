@@ -8,6 +8,7 @@
 #include "study/stability.hpp"
 #include "study/stability_files.hpp"
 #include "study/study_files.hpp"
+#include "study/trial.hpp"
 
 namespace orbweaver::study {
 
@@ -32,6 +33,7 @@ void print_duration(const Subject& subject, double usual) {
 void run_accuracy(const StudySettings& settings) {
     const Interrupt interrupt;
     const Subject subject(settings);
+    set_up(settings, subject);
     StudyFiles files(settings.out, {"accuracy.csv", "accuracy_statistics.csv", "accuracy.json", "accuracy.svg",
                                     "index.html"});
     print_duration(subject, kUsualDuration);
@@ -44,6 +46,7 @@ void run_accuracy(const StudySettings& settings) {
 void run_stability(const StudySettings& settings, const std::vector<AxisText>& axes) {
     const Interrupt interrupt;
     const Subject subject(settings);
+    set_up(settings, subject);
     StudyFiles files(settings.out, {"stability.csv", "stability.json", "stability.svg", "index.html"});
     print_duration(subject, kUsualCellDuration);
     const StabilityResult result =

@@ -130,12 +130,18 @@ void end_with(Trial& trial, const Fault& fault, Ending of_divergence) {
     trial.message = fault.what();
 }
 
+PlannedScene plan_sound_scene(const RunSettings& run) {
+    PlannedScene planned = plan_scene(run);
+    if (!planned.plan.faults.empty()) throw Fault(FaultKind::invalid, all_sentences(planned.plan.faults));
+    return planned;
+}
+
 std::unique_ptr<Watched> open(const Subject& subject, const PlannedScene& planned, const Request& request,
                               Trial& trial) {
     try {
         return std::make_unique<Watched>(subject, planned, request);
     } catch (const Fault& fault) {
-        if (fault.kind() != FaultKind::diverged) throw;
+        if (fault.kind() != FaultKind::diverged && fault.kind() != FaultKind::invalid) throw;
         end_with(trial, fault, Ending::refused);
         return nullptr;
     }
@@ -159,6 +165,16 @@ const char* to_string(Ending ending) noexcept {
     return names[static_cast<std::size_t>(ending)];
 }
 
+void set_up(const StudySettings& settings, const Subject& subject) {
+    const QuietLog quiet;
+    const PlannedScene planned = plan_sound_scene(settings.run);
+    try {
+        const Watched as_it_is(subject, planned, settings.run.request);
+    } catch (const Fault& fault) {
+        if (fault.kind() != FaultKind::diverged) throw;  // the scene's own step may be refused: others are not
+    }
+}
+
 Trial run_trial(const StudySettings& settings, const Subject& subject, const TrialPlan& plan,
                 const Deadline& deadline) {
     const auto start = Deadline::Clock::now();
@@ -169,8 +185,7 @@ Trial run_trial(const StudySettings& settings, const Subject& subject, const Tri
         run.removals.push_back(subject.table() + "." + subject.spec().tolerance);
     run.overrides.insert(run.overrides.end(), plan.overrides.begin(), plan.overrides.end());
     run.overrides.push_back(fmt::format("scene.duration={}", plan.duration));
-    const PlannedScene planned = plan_scene(run);
-    if (!planned.plan.faults.empty()) throw Fault(FaultKind::invalid, all_sentences(planned.plan.faults));
+    const PlannedScene planned = plan_sound_scene(run);
     Trial trial;
     if (const auto watched = open(subject, planned, run.request, trial))
         run_watched(*watched, plan, deadline, trial);

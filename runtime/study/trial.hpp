@@ -15,7 +15,7 @@ namespace orbweaver::study {
 enum class Ending : std::uint8_t {
     done,
     diverged,  ///< stopped by the first value that means nothing
-    refused,   ///< not even begun: it would have diverged, or taken too many steps
+    refused,   ///< not even begun: it would have diverged, taken too many steps, or the method does not take it
     limit,     ///< a limit was hit: memory, size
     timeout,   ///< the time for it was over
 };
@@ -39,8 +39,11 @@ struct TrialPlan {
     std::vector<Vec3> offsets = {};      ///< m, added to each particle before the first frame; empty: none
 };
 
-/// Runs the scene with these overrides, headless, until its end or the deadline. Throws Fault for scenes that
-/// are invalid and modules that fail, and Fault(limit) when the motion takes more than half a GB.
+/// Sets the scene up as it is and runs nothing. Throws Fault where it is invalid or beyond a limit.
+void set_up(const StudySettings& settings, const Subject& subject);
+/// Runs the scene with these overrides, headless, until its end or the deadline. What cannot be set up so is
+/// refused. Throws Fault for overrides that the plan refuses and modules that fail, and Fault(limit) when the
+/// motion takes more than half a GB.
 Trial run_trial(const StudySettings& settings, const Subject& subject, const TrialPlan& plan,
                 const Deadline& deadline);
 /// The longest step (s) that the module's adviser holds for stable with this method, the scene changed by these

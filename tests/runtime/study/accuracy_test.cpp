@@ -145,3 +145,15 @@ TEST_CASE("a study ends within its time, or says that it was too short", "[extre
     CHECK(kind_of_fault([&] { study_accuracy(scene.settings, subject, deadline_in(0.01, scene.interrupt)); }) ==
           FaultKind::limit);
 }
+
+TEST_CASE("a method that does not take the scene is refused with its reason, and the others are studied",
+          "[unit]") {
+    OscillatorScene scene("bystander = 200");
+    const AccuracyResult result = studied(scene);
+    for (const AccuracyRow& row : result.rows)
+        CHECK((row.outcome == "refused") == (row.rung.method == "explicit"));
+    CHECK(result.sentences.back() ==
+          "explicit: refused down to its finest rung: module 'oscillator' failed while attaching: explicit "
+          "takes no "
+          "bystander beyond 100 m");
+}

@@ -78,8 +78,19 @@ TEST_CASE("however a trial ends, it says so", "[extreme]") {
     auto stopping = as_asked;
     stopping.push_back("oscillator.on_unstable=stop");
     CHECK(run(stopping, 60).ending == Ending::refused);
+    auto far = subject.overrides({"explicit", 0.01, 0});
+    far.push_back("oscillator.bystander=200");
+    CHECK(run(far, 60).ending == Ending::refused);
     CHECK(kind_of_fault([&] { run({"oscillator.step=-1"}, 60); }) == FaultKind::invalid);
     CHECK(kind_of_fault([&] {
               run_trial(scene.settings, subject, {as_asked, 1e5}, scene.deadline);
           }) == FaultKind::limit);
+}
+
+TEST_CASE("a scene that is invalid as it is ends a study before it begins", "[extreme]") {
+    OscillatorScene sound("omega = 10"), strict("omega = 1000\nstep = 0.01\non_unstable = \"stop\"");
+    set_up(sound.settings, Subject(sound.settings));
+    set_up(strict.settings, Subject(strict.settings));  // other methods and steps may do
+    OscillatorScene invalid("method = \"explicit\"\nbystander = 200");
+    CHECK(kind_of_fault([&] { set_up(invalid.settings, Subject(invalid.settings)); }) == FaultKind::invalid);
 }
