@@ -31,6 +31,9 @@ struct MethodInfo {
     int embedded_order = 0;  ///< the error of a step shrinks with h to this + 1; 0: it gives none
     int evaluations = 0;     ///< of the forces, per step that follows another; 0: as many as it takes
     std::unique_ptr<Method> (*make)(std::size_t length);
+    /// The method that tells how far this one is off, where half the step would not: empty for those that
+    /// converge to the motion of the equations with no more ado.
+    std::string_view judge{};
 };
 
 /// Every method there is, in the order documents list them.

@@ -7,7 +7,7 @@ namespace orbweaver::mass_spring {
 
 std::span<const MethodInfo> methods() noexcept {
     static constexpr std::array<MethodInfo, 10> table{{
-        // name, order, embedded order, evaluations, make
+        // name, order, embedded order, evaluations, make, judge
         {"explicit_euler", 1, 0, 1, make_explicit_euler},
         {"symplectic_euler", 1, 0, 1, make_symplectic_euler},
         {"verlet", 2, 0, 2, make_verlet},
@@ -16,8 +16,8 @@ std::span<const MethodInfo> methods() noexcept {
         {"rkc2", 2, 2, 0, make_rkc2},
         {"implicit_euler", 1, 0, 1, make_implicit_euler},
         {"tr_bdf2", 2, 2, 0, make_tr_bdf2},
-        {"provot", 1, 0, 1, make_provot},
-        {"xpbd", 1, 0, 0, make_xpbd},
+        {"provot", 1, 0, 1, make_provot, "tr_bdf2"},
+        {"xpbd", 1, 0, 0, make_xpbd, "tr_bdf2"},
     }};
     return table;
 }
