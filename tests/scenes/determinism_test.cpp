@@ -38,7 +38,7 @@ std::string hash_by_program(const std::string& scene, const std::vector<std::str
                             const std::string& environment) {
     const Folder folder("determinism");
     std::string arguments =
-        "run " + scene_path(scene) + " --duration 0.1 --quiet --report " + folder.path("report.json");
+        "run " + scene_path(scene) + " --duration 0.05 --quiet --report " + folder.path("report.json");
     for (const std::string& each : overrides) arguments += " --set " + each;
     const Outcome outcome = run_program(arguments, environment);
     INFO(outcome.text);
@@ -101,8 +101,14 @@ TEST_CASE("a run ends in the same bits with and without wide vectors, by every m
     };
     std::vector<Run> runs{{"real_silk", {}}, {"viscoelastic_silk", {}}};
     for (std::vector<std::string> way : ways_to_move()) {
-        if (way.size() == 1) way.push_back("web.step=2e-4");
-        way.push_back("web.drag=1e-6");  // without, no step of explicit_euler is stable
+        // Steps that explicit_euler and rkc2 hold, with drag; xpbd, which gains energy, is not redone at
+        // shorter ones.
+        const bool fixed = way.size() == 1;
+        const bool short_steps = way[0] == "web.method=explicit_euler" || way[0] == "web.method=rkc2";
+        way.push_back("web.drag=1e-6");
+        if (fixed)
+            way.insert(way.end(),
+                       {short_steps ? "web.step=5e-6" : "web.step=1.5e-4", "web.on_unstable=as_asked"});
         runs.push_back({"meadow", way});
     }
     for (const Run& run : runs) {
