@@ -22,4 +22,16 @@ EnergyBalance balance_energy(const SpringSystem& system, const Energy& before, s
     return balance;
 }
 
+double dissipated_power(const SpringSystem& system, std::span<const Vec3> x, std::span<const Vec3> v) noexcept {
+    double power = 0;
+    for (const Vec3& each : v) power += system.drag() * dot(each, each);
+    for (const Spring& s : system.network().springs) {
+        const Vec3 l = x[s.a] - x[s.b];
+        const double square = dot(l, l);
+        const double rate = dot(v[s.a] - v[s.b], l);  // times the length
+        if (square > 0) power += s.damping * rate * rate / square;
+    }
+    return power;
+}
+
 }  // namespace orbweaver::mass_spring

@@ -22,4 +22,7 @@ struct EnergyBalance {
 EnergyBalance balance_energy(const SpringSystem& system, const Energy& before, std::span<const Vec3> x0,
                              std::span<const Vec3> x1, std::span<const Vec3> v1) noexcept;
 
+/// W, that drag and the springs' damping take. Dashpots of arms are not counted.
+double dissipated_power(const SpringSystem& system, std::span<const Vec3> x, std::span<const Vec3> v) noexcept;
+
 }  // namespace orbweaver::mass_spring

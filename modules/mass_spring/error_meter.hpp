@@ -3,20 +3,30 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "orbweaver/vec3.hpp"
 
 namespace orbweaver::mass_spring {
 
 /// Adds up the position error of a run: from the errors that an embedded method gives, or from frames redone at
-/// half the step. Early frames are sampled more densely (0, 1, 2, 4 ... 64, 128, 192 ...), and a sample stands
-/// for the frames since the one before.
+/// half the step, or by another method. Early frames are sampled more densely (0, 1, 2, 4 ... 64, 128, 192
+/// ...), and a sample stands for the frames since the one before.
 class ErrorMeter {
 public:
+    /// `judge`: the other method by which frames are redone; empty: at half the step.
+    explicit ErrorMeter(std::string_view judge = {}) noexcept : judge_(judge) {}
+
     static bool samples(std::uint64_t frame) noexcept;
     /// Positions at the frame's end, m, with steps of h and of h/2. By Richardson, the error of the former is
     /// their difference times 2^p/(2^p - 1), p the order of convergence.
     void add(std::span<const Vec3> whole, std::span<const Vec3> halved, int order) noexcept;
+    /// Positions, m, and velocities, m/s, at the frame's end, and those that the judge has. What a velocity is
+    /// off by counts as the way of a frame of `frame_step` s.
+    void add_judged(std::span<const Vec3> x, std::span<const Vec3> judged_x, std::span<const Vec3> v,
+                    std::span<const Vec3> judged_v, double frame_step) noexcept;
+    /// The frame could not be redone: the error is not known, and counts as infinite.
+    void add_unknown() noexcept;
     void count_frame() noexcept { ++frames_since_; }
     /// Of the steps of a frame, m, by an embedded method; instead of add() and count_frame().
     void add_embedded(double error, std::int64_t steps) noexcept;
@@ -25,6 +35,9 @@ public:
     std::string how() const;
 
 private:
+    void add_sample(double error) noexcept;
+
+    std::string_view judge_;
     double sum_ = 0;   ///< m, over the frames that samples stand for
     double last_ = 0;  ///< m, of the last sample
     std::uint64_t samples_ = 0;

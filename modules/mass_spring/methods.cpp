@@ -7,7 +7,7 @@ namespace orbweaver::mass_spring {
 
 std::span<const MethodInfo> methods() noexcept {
     static constexpr std::array<MethodInfo, 11> table{{
-        // name, order, embedded order, evaluations, make, whether springs must not be damped
+        // name, order, embedded order, evaluations, make, whether springs must not be damped, judge
         {"explicit_euler", 1, 0, 1, make_explicit_euler},
         {"symplectic_euler", 1, 0, 1, make_symplectic_euler},
         {"verlet", 2, 0, 2, make_verlet},
@@ -17,8 +17,8 @@ std::span<const MethodInfo> methods() noexcept {
         {"rkc2", 2, 2, 0, make_rkc2},
         {"implicit_euler", 1, 0, 1, make_implicit_euler},
         {"tr_bdf2", 2, 2, 0, make_tr_bdf2},
-        {"provot", 1, 0, 1, make_provot},
-        {"xpbd", 1, 0, 0, make_xpbd},
+        {"provot", 1, 0, 1, make_provot, false, "tr_bdf2"},
+        {"xpbd", 1, 0, 0, make_xpbd, false, "tr_bdf2"},
     }};
     return table;
 }

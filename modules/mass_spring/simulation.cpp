@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "orbweaver/fault.hpp"
 #include "quantity.hpp"
@@ -10,6 +11,23 @@
 #include "substep_plan.hpp"
 
 namespace orbweaver::mass_spring {
+namespace {
+
+/// Adds the wall time of its life to a sum of seconds.
+class Stopwatch {
+public:
+    explicit Stopwatch(double& seconds) noexcept : seconds_(seconds) {}
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+    ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    double& seconds_;
+    Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
 
 Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double frame_step, std::span<Vec3> x,
                        std::span<Vec3> v, std::span<double> memory, std::span<double> creep)
@@ -22,6 +40,7 @@ Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double
       creep_(creep),
       integrator_(system, *settings_.method),
       watch_(x),
+      error_(settings_.method->judge),
       start_x_(x.begin(), x.end()),
       start_v_(v.begin(), v.end()),
       trial_x_(x.size()),
@@ -30,6 +49,8 @@ Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double
         if (system.network().fixed[i] != 0) v_[i] = {};
     }
     check_damping();
+    if (!settings_.method->judge.empty())
+        judge_ = std::make_unique<Integrator>(system, *find_method(settings_.method->judge));
     put_on_arms();
     look();
 }
@@ -93,8 +114,12 @@ void Simulation::set_substep(double seconds) noexcept { (memory_.empty() ? subst
 double Simulation::substep() const noexcept { return memory_.empty() ? substep_ : memory_[0]; }
 const Advice& Simulation::advice() const noexcept { return advice_; }
 std::uint64_t Simulation::steps() const noexcept { return steps_; }
-double Simulation::error_estimate() const noexcept { return error_.estimate(); }
-std::string Simulation::error_method() const { return error_.how(); }
+double Simulation::error_estimate() const noexcept { return error_.estimate() + lost_amplitude(); }
+std::string Simulation::error_method() const {
+    if (!(lost_amplitude() > 0)) return error_.how();
+    return error_.how() + "; vibrations too fast for the steps, which the method damped out with " +
+           number_text(lost_.energy()) + " J: " + number_text(lost_amplitude()) + " m";
+}
 double Simulation::energy_gain() const noexcept { return energy_gain_; }
 
 std::int64_t Simulation::substeps_per_frame() const noexcept {
@@ -102,14 +127,15 @@ std::int64_t Simulation::substeps_per_frame() const noexcept {
 }
 
 std::size_t Simulation::memory_bytes() const noexcept {
-    return system_->memory_bytes() + integrator_.memory_bytes() + 4 * x_.size() * sizeof(Vec3);
+    const std::size_t judge = judge_ != nullptr ? judge_->memory_bytes() : 0;
+    return system_->memory_bytes() + integrator_.memory_bytes() + judge + 4 * x_.size() * sizeof(Vec3);
 }
 
-bool Simulation::integrate(std::span<Vec3> x, std::span<Vec3> v, std::int64_t count) {
+bool Simulation::integrate(Integrator& integrator, std::span<Vec3> x, std::span<Vec3> v, std::int64_t count) {
     constexpr std::int64_t kStepsPerLook = 256;  // so that a long frame does not go on for nothing
     const double h = frame_step_ / static_cast<double>(count);
     for (std::int64_t done = 0; done < count; done += kStepsPerLook) {
-        integrator_.advance(x, v, h, std::min(kStepsPerLook, count - done));
+        integrator.advance(x, v, h, std::min(kStepsPerLook, count - done));
         if (watch_.first_bad(x, v) < x.size()) return false;
     }
     return true;
@@ -159,13 +185,15 @@ void Simulation::advance_in_equal_steps(std::uint64_t frame, double time) {
     const std::int64_t count = substeps_per_frame();
     steps_ += static_cast<std::uint64_t>(count);
     error_.count_frame();
+    lost_.count_frame();
     system_->get_creep(end_creep_);
     if (ErrorMeter::samples(frame)) measure_error(count);
+    if (LostVibrations::samples(frame)) measure_lost_vibrations(count);
     std::copy(end_creep_.begin(), end_creep_.end(), creep_.begin());
 }
 
 bool Simulation::run_frame(EnergyBalance& balance) {
-    if (!integrate(x_, v_, substeps_per_frame())) return false;
+    if (!integrate(integrator_, x_, v_, substeps_per_frame())) return false;
     balance = balance_energy(*system_, start_energy_, start_x_, x_, v_);
     return true;
 }
@@ -230,14 +258,58 @@ void Simulation::restore_start() noexcept {
 }
 
 void Simulation::measure_error(std::int64_t count) {
-    using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
+    const Stopwatch watch(error_seconds_);
+    start_trial();
+    constexpr std::int64_t kMostJudged = 128;  // steps of an implicit method: what these err may count too
+    const bool redone = judge_ != nullptr ? integrate(*judge_, trial_x_, trial_v_, std::min(count, kMostJudged))
+                                          : integrate(integrator_, trial_x_, trial_v_, 2 * count);
+    if (!redone)
+        error_.add_unknown();
+    else if (judge_ != nullptr)
+        error_.add_judged(x_, trial_x_, v_, trial_v_, frame_step_);
+    else
+        error_.add(x_, trial_x_, integrator_.order());
+    system_->set_creep(end_creep_);
+}
+
+void Simulation::measure_lost_vibrations(std::int64_t count) {
+    const Stopwatch watch(error_seconds_);
+    const bool followed = substep() * advice_.angular_frequency < LostVibrations::kFollowed;
+    const bool in_the_books = creep_.empty();  // dashpots take energy that they do not know
+    double whole = 0, halved = 0, rounding = 0;
+    if (!followed && in_the_books) whole = unexplained_loss(count, rounding);
+    if (whole > rounding) halved = unexplained_loss(2 * count, rounding);
+    lost_.add(whole, halved, rounding);
+}
+
+double Simulation::unexplained_loss(std::int64_t count, double& rounding) {
+    const double h = frame_step_ / static_cast<double>(count);
+    start_trial();
+    double explained = 0;
+    double before = dissipated_power(*system_, trial_x_, trial_v_);
+    for (std::int64_t i = 0; i < count; ++i) {
+        integrator_.advance(trial_x_, trial_v_, h, 1);
+        const double after = dissipated_power(*system_, trial_x_, trial_v_);
+        explained += h / 2 * (before + after);
+        before = after;
+    }
+    const EnergyBalance balance = balance_energy(*system_, start_energy_, start_x_, trial_x_, trial_v_);
+    rounding = balance.rounding;
+    return -balance.gain - explained;
+}
+
+double Simulation::lost_amplitude() const noexcept {
+    double lightest = std::numeric_limits<double>::infinity();
+    const Network& network = system_->network();
+    for (std::size_t i = 0; i < network.size(); ++i)
+        if (network.fixed[i] == 0) lightest = std::min(lightest, network.mass[i]);
+    return lost_.amplitude(lightest, advice_.angular_frequency);
+}
+
+void Simulation::start_trial() noexcept {
     std::copy(start_x_.begin(), start_x_.end(), trial_x_.begin());
     std::copy(start_v_.begin(), start_v_.end(), trial_v_.begin());
     system_->set_creep(creep_);
-    if (integrate(trial_x_, trial_v_, 2 * count)) error_.add(x_, trial_x_, integrator_.order());
-    system_->set_creep(end_creep_);
-    error_seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 void Simulation::fail(std::uint64_t frame, double time) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "energy_balance.hpp"
 #include "error_meter.hpp"
 #include "integrator.hpp"
+#include "lost_vibrations.hpp"
 #include "method.hpp"
 #include "simulation_settings.hpp"
 #include "spring_system.hpp"
@@ -62,8 +64,9 @@ public:
     std::uint64_t steps() const noexcept;  ///< of the method, error estimation not counted
     double substep() const noexcept;       ///< s, in use now
     /// Largest position error expected at the run's end, m: what the steps' own estimates add up to within a
-    /// tolerance; else order-aware step doubling on sampled frames, each standing for those since the one
-    /// before. Not a bound where the system itself is chaotic.
+    /// tolerance; else order-aware step doubling on sampled frames, or what the method's judge makes of them,
+    /// each standing for those since the one before, and the size of vibrations that were lost (see
+    /// LostVibrations). Not a bound where the system itself is chaotic.
     double error_estimate() const noexcept;
     std::string error_method() const;                                 ///< how, over how many frames
     double error_seconds() const noexcept { return error_seconds_; }  ///< wall time that the estimate took
@@ -81,8 +84,8 @@ private:
     void advance_in_equal_steps(std::uint64_t frame, double time);
     void set_substep(double seconds) noexcept;
     std::int64_t substeps_per_frame() const noexcept;
-    /// `count` steps over one frame from x_, v_; false as soon as a value is found to mean nothing.
-    bool integrate(std::span<Vec3> x, std::span<Vec3> v, std::int64_t count);
+    /// `count` steps over one frame from x, v; false as soon as a value is found to mean nothing.
+    bool integrate(Integrator& integrator, std::span<Vec3> x, std::span<Vec3> v, std::int64_t count);
     /// As many steps as plan; false when it could not be finished. The balance is of the whole frame.
     bool run_frame(EnergyBalance& balance);
     /// Whether there is a step that is stable in every arrangement.
@@ -94,7 +97,14 @@ private:
     bool answer_instability(std::uint64_t frame, double time, bool finished, EnergyBalance& balance);
     void warn_of_gain(const std::string& sentence);
     void restore_start() noexcept;
+    /// Puts the trial to the frame's start.
+    void start_trial() noexcept;
     void measure_error(std::int64_t count);
+    void measure_lost_vibrations(std::int64_t count);
+    /// J that the frame lost from its start on in `count` steps, to neither drag nor damping; `rounding` J of
+    /// it mean nothing. Not finite where values are not.
+    double unexplained_loss(std::int64_t count, double& rounding);
+    double lost_amplitude() const noexcept;
     [[noreturn]] void fail(std::uint64_t frame, double time);
 
     SpringSystem* system_;
@@ -109,6 +119,8 @@ private:
     Integrator integrator_;
     Watch watch_;
     ErrorMeter error_;
+    std::unique_ptr<Integrator> judge_;  ///< null: the method itself, at half the step
+    LostVibrations lost_;
     Advice advice_;
     double bound_step_ = 0;  ///< s, stable in every arrangement
     bool warned_ = false;

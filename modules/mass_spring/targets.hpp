@@ -15,9 +15,13 @@
 
 namespace orbweaver::mass_spring {
 
+/// Whether more may be used than any processor of its kind has: unless the environment held ORBWEAVER_PLAIN
+/// when it was first asked. The bits are the same; who doubts it can compare.
+bool wide_vectors_allowed() noexcept;
+
 inline bool has_avx2() noexcept {
 #if defined(__x86_64__)
-    return __builtin_cpu_supports("avx2") != 0;
+    return __builtin_cpu_supports("avx2") != 0 && wide_vectors_allowed();
 #else
     return false;
 #endif

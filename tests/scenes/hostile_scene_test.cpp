@@ -1,51 +1,13 @@
-#include <sys/wait.h>
-
-#include <array>
 #include <catch2/catch.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
+#include "program.hpp"
 #include "shipped_scenes.hpp"
 
 using namespace orbweaver;
 
 namespace {
-
-struct Outcome {
-    int code = 0;
-    std::string text;  ///< standard output and error
-};
-
-Outcome run_program(const std::string& arguments) {
-    const std::string command = std::string("'") + ORBWEAVER_PROGRAM + "' " + arguments + " 2>&1";
-    std::FILE* pipe = ::popen(command.c_str(), "r");
-    REQUIRE(pipe != nullptr);
-    Outcome outcome;
-    std::array<char, 4096> buffer{};
-    while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) outcome.text += buffer.data();
-    const int status = ::pclose(pipe);
-    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-    return outcome;
-}
-
-/// A folder of this test's own, removed with it.
-class Folder {
-public:
-    Folder()
-        : path_(std::filesystem::temp_directory_path() / ("orbweaver_hostile_" + std::to_string(::getpid()))) {
-        std::filesystem::create_directories(path_);
-    }
-    ~Folder() { std::filesystem::remove_all(path_); }
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return (path_ / name).string();
-    }
-    std::string path(const std::string& name) const { return (path_ / name).string(); }
-
-private:
-    std::filesystem::path path_;
-};
 
 struct Hostile {
     const char* name;
@@ -57,7 +19,7 @@ struct Hostile {
 }  // namespace
 
 TEST_CASE("a scene that cannot be is refused with its place and the remedy", "[extreme]") {
-    const Folder folder;
+    const Folder folder("hostile");
     folder.write("loose.json", R"({"particles": [[0,0,0],[1,0,0],[2,0,0],[3,0,0]], "masses": 1e-8, "fixed": [0],
                                    "springs": [[0,1,0.9,1,0],[2,3,0.9,1,0]]})");
     folder.write(
@@ -97,7 +59,7 @@ TEST_CASE("a scene that cannot be is refused with its place and the remedy", "[e
 }
 
 TEST_CASE("all faults of a scene are named at once", "[scene]") {
-    const Folder folder;
+    const Folder folder("hostile");
     const std::string scene = folder.write(
         "scene.toml", "[scene]\nstep = \"1 kg\"\n[web]\ndrga = 1\n[spyder]\n[wind]\nmodel = \"stady\"\n");
     const Outcome outcome = run_program("check " + scene);
@@ -108,7 +70,7 @@ TEST_CASE("all faults of a scene are named at once", "[scene]") {
 }
 
 TEST_CASE("an unstable step is refused, substepped or obeyed as the scene says", "[extreme]") {
-    const Folder folder;
+    const Folder folder("hostile");
     const std::string run = "run " + scene_path("thesis_web") + " --duration 1 --set web.step=0.02 --report " +
                             folder.path("r.json");
 
@@ -131,7 +93,7 @@ TEST_CASE("an unstable step is refused, substepped or obeyed as the scene says",
 }
 
 TEST_CASE("outputs that cannot be written end the run in words and leave nothing half-written", "[extreme]") {
-    const Folder folder;
+    const Folder folder("hostile");
     folder.write("file", "x");
     const std::string run = "run " + scene_path("strand") + " --duration 0.2 --quiet ";
     for (const char* option : {"--trajectory ", "--telemetry ", "--report ", "--frames ", "--save-state "}) {
@@ -152,7 +114,7 @@ TEST_CASE("outputs that cannot be written end the run in words and leave nothing
 
 TEST_CASE("a file-size limit stops a trajectory with exit code 5 and no file under its final name",
           "[extreme]") {
-    const Folder folder;
+    const Folder folder("hostile");
     const std::string command = "(ulimit -f 64; '" ORBWEAVER_PROGRAM "' run " + scene_path("meadow") +
                                 " --duration 2 --quiet --trajectory " + folder.path("t") + ") 2>&1";
     const int status = ::system((command + " > " + folder.path("log")).c_str());
@@ -165,7 +127,7 @@ TEST_CASE("a file-size limit stops a trajectory with exit code 5 and no file und
 }
 
 TEST_CASE("more pictures a second than frames are refused, and fewer than one are one", "[scene]") {
-    const Folder folder;
+    const Folder folder("hostile");
     const std::string run = "run " + scene_path("meadow") + " --duration 0.1 --size 64x48 --video " +
                             folder.path("a.webp") + " --fps ";
     const Outcome many = run_program(run + "61");
@@ -181,7 +143,7 @@ TEST_CASE("more pictures a second than frames are refused, and fewer than one ar
 }
 
 TEST_CASE("a video keeps its good pictures when another output's disk is full", "[extreme]") {
-    const Folder folder;
+    const Folder folder("hostile");
     // 4 kB: telemetry outgrows it after some frames, the video does not.
     const std::string command = "(ulimit -f 8; '" ORBWEAVER_PROGRAM "' run " + scene_path("meadow") +
                                 " --duration 2 --quiet --size 16x16 --fps 1 --telemetry " +

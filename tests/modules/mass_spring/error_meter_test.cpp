@@ -1,6 +1,7 @@
 #include "error_meter.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <vector>
 
 using orbweaver::Vec3;
@@ -26,6 +27,22 @@ TEST_CASE("frames are sampled at powers of two, then every 64", "[unit]") {
         if (ErrorMeter::samples(i)) sampled.push_back(i);
     }
     CHECK(sampled == std::vector<std::uint64_t>{0, 1, 2, 4, 8, 16, 32, 64, 128, 192});
+}
+
+TEST_CASE("a judge tells errors of position, and of velocity as a way, and what cannot be redone is not known",
+          "[unit]") {
+    ErrorMeter meter("tr_bdf2");
+    const std::vector<Vec3> x{{1, 0, 0}}, judged_x{{1, 3e-6, 4e-6}}, v{{0, 0, 1}}, judged_v{{0, 0, 1.01}};
+    for (int i = 0; i < 2; ++i) meter.count_frame();
+    meter.add_judged(x, judged_x, v, judged_v, 1e-3);
+    CHECK(meter.estimate() == Approx(2 * (5e-6 + 1e-5)).epsilon(1e-9));
+    CHECK(meter.how() ==
+          "another method: largest change of a position when a frame is redone by tr_bdf2, 1 of 2 frames "
+          "redone, errors "
+          "of single frames added up");
+    meter.count_frame();
+    meter.add_unknown();
+    CHECK(std::isinf(meter.estimate()));
 }
 
 TEST_CASE("an embedded method's errors are added up", "[unit]") {
