@@ -106,7 +106,7 @@ TEST_CASE("a run ends in the same bits with and without wide vectors, by every m
         // shorter ones.
         const bool fixed = way.size() == 1;
         const bool short_steps = way[0] == "web.method=explicit_euler" || way[0] == "web.method=rkc2";
-        way.push_back("web.drag=1e-6");
+        way.emplace_back("web.drag=1e-6");
         if (fixed)
             way.insert(way.end(),
                        {short_steps ? "web.step=5e-6" : "web.step=1.5e-4", "web.on_unstable=as_asked"});

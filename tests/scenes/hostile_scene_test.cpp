@@ -99,9 +99,11 @@ TEST_CASE("outputs that cannot be written end the run in words and leave nothing
     for (const char* option : {"--trajectory ", "--telemetry ", "--report ", "--frames ", "--save-state "}) {
         CAPTURE(option);
         const std::string below_a_file = folder.path("file/out");
-        std::string arguments = run + option + below_a_file;
+        std::string arguments = run;
         if (std::string(option) == "--frames ")
-            arguments = "run " + scene_path("meadow") + " --duration 0.1 --quiet --frames " + below_a_file;
+            arguments = "run " + scene_path("meadow") + " --duration 0.1 --quiet ";
+        arguments += option;
+        arguments += below_a_file;
         const Outcome outcome = run_program(arguments);
         CAPTURE(outcome.text);
         CHECK(outcome.code == 1);

@@ -110,11 +110,11 @@ struct Reference {
     double step = 1e-5;  ///< s; 0: out of reach of every method
     /// Stiff, buckling, or of few steps: methods of every order are asked for the same.
     bool rough = false;
-    /// Share of the motion that undamped springs may be off by: ends that begin all but met throw each other
-    /// any way.
-    double undamped = 1e-7;
+    /// Undamped, particles fly past each other closely, and err in that one frame, which may not be sampled.
+    bool near_misses = false;
 };
-constexpr Reference kSmooth, kRough{"rk4", 1e-5, true}, kNone{"rk4", 0, true}, kMet{"rk4", 1e-5, false, 2e-4};
+constexpr Reference kSmooth, kRough{"rk4", 1e-5, true}, kNone{"rk4", 0, true},
+    kThrown{"rk4", 1e-5, false, true};
 
 struct Case {
     const char* name;
@@ -123,10 +123,10 @@ struct Case {
     const char* as_asked;  ///< on_unstable = "as_asked", without those that take a tolerance
     Reference reference;
     Change change = leave_alone;
-    double wind = 1e-6;  ///< N on every particle, across the web
-    double step = 2e-4;  ///< s, asked
+    double wind = 1e-6;     ///< N on every particle, across the web
+    double step = 2e-4;     ///< s, asked
+    double frame = kFrame;  ///< s
     int frames = 8;
-    double frame = kFrame;    ///< s
     bool cut_spring = false;  ///< before the fifth frame
     bool buckles = false;     ///< what errors become is not the sum of single frames'
 };
@@ -253,7 +253,7 @@ std::optional<Ending> run_reference(const Case& each, Springs springs) {
 double share_allowed(const Case& each, const Column& column, Class what) {
     if (each.reference.rough || what == Class::substeps) return kErrs;
     if (column.tolerance > 0) return 2e-3;
-    if (column.method->undamped) return each.reference.undamped;
+    if (column.method->undamped && each.reference.near_misses) return 2e-4;
     return column.method->order >= 4 ? 1e-7 : column.method->order == 2 ? 5e-5 : 0.02;
 }
 
@@ -275,7 +275,8 @@ Class judge(const Case& each, const Column& column, const Ending& ending,
     // A method of order six comes nearer than the reference, with its thousands of steps to round.
     const double doubt =
         column.method->order == 6 && reference ? reference->error_estimate + 2e-13 * motion : 0;
-    if (!each.buckles) CHECK(error <= 4 * ending.error_estimate + doubt + kRounding);
+    const bool adds_up = !each.buckles && !(column.method->undamped && each.reference.near_misses);
+    if (adds_up) CHECK(error <= 4 * ending.error_estimate + doubt + kRounding);
     return ending.what;
 }
 
@@ -313,30 +314,30 @@ TEST_CASE("every method holds, substeps, refuses or stops in words in every extr
         //                          esvrtnkibpx tkb    esvrtnkibpx
         {"as it is",            "HHHHHHHHHEH HHH", "HHHHHHHHHEH", kSmooth},
         {"stiffness x 1e3",     "RHHHHHSHHES HHH", "XHHHHHXHHEo", {"rk4", 2e-6, true}, stiffness_times(1e3)},
-        {"stiffness x 1e6",     "RESSSERHHEE EXE", "XXXXXXXHHXo", {"rk4", 1e-7, true}, stiffness_times(1e6), 1e-6, 2e-4, 2},
-        {"stiffness x 1e12",    "RRRRRRREERX XXX", "XXXXXXXEEXo", kNone, stiffness_times(1e12), 1e-6, 2e-4, 2},
+        {"stiffness x 1e6",     "RESSSERHHEE EXE", "XXXXXXXHHXo", {"rk4", 1e-7, true}, stiffness_times(1e6), 1e-6, 2e-4, kFrame, 2},
+        {"stiffness x 1e12",    "RRRRRRREERX XXX", "XXXXXXXEEXo", kNone, stiffness_times(1e12), 1e-6, 2e-4, kFrame, 2},
         {"stiffness x 1e-6",    "HHHHHHHHHEH HHH", "HHHHHHHHHEH", kSmooth, stiffness_times(1e-6)},
-        {"mass 1e-15 kg",       "RRRRRRRHHRX XXH", "XXXXXXXHHXo", {"tr_bdf2", 2.5e-6}, masses_of(1e-15, 1e-15), 1e-6, 2e-4, 1},
+        {"mass 1e-15 kg",       "RRRRRRRHHRX XXH", "XXXXXXXHHXo", {"tr_bdf2", 2.5e-6}, masses_of(1e-15, 1e-15), 1e-6, 2e-4, kFrame, 1},
         {"mass 1e3 kg",         "RHHHHHHHHEH HHH", "oHHHHHHHHEH", kSmooth, masses_of(1e3, 1e3)},
-        {"masses 1e-15, 1e3 kg","RRRRRRRHHRE XXH", "XXXXXXXHHoE", {"tr_bdf2", 2.5e-6}, masses_of(1e-15, 1e3), 1e-6, 2e-4, 1},
-        {"ends that meet",      "HHHHHHHHHEH HHH", "HHHHHHHHHEH", kRough, ends_apart(nowhere), 1e-6, 2e-4, 8, kFrame, false, true},
-        {"ends 1e-12 m apart",  "HHHHHHHHHEH HHH", "HHHHHHHHHEH", kMet, ends_apart(hardly)},
+        {"masses 1e-15, 1e3 kg","RRRRRRRHHRE XXH", "XXXXXXXHHoE", {"tr_bdf2", 2.5e-6}, masses_of(1e-15, 1e3), 1e-6, 2e-4, kFrame, 1},
+        {"ends that meet",      "HHHHHHHHHEH HHH", "HHHHHHHHHEH", kRough, ends_apart(nowhere), 1e-6, 2e-4, kFrame, 8, false, true},
+        {"ends 1e-12 m apart",  "HHHHHHHHHEH HHH", "HHHHHHHHHEH", kThrown, ends_apart(hardly)},
         {"rest lengths of 0",   "SHHHHHHHHHH HHH", "oHHHHHHHHHH", kSmooth, rest_lengths_times(0)},
         {"in compression",      "HHHHHHHHHEH HHH", "HHHHHHHHHEH", kSmooth, rest_lengths_times(1.5)},
-        {"rest lengths x 4",    "HHHHHHHHHEH HHH", "HHHHHHHHHEH", kRough, rest_lengths_times(4), 1e-6, 2e-4, 8, kFrame, false, true},
+        {"rest lengths x 4",    "HHHHHHHHHEH HHH", "HHHHHHHHHEH", kRough, rest_lengths_times(4), 1e-6, 2e-4, kFrame, 8, false, true},
         {"wind x 1e3",          "HHHHHHHHHEH HHH", "HHHHHHHHHEH", kSmooth, leave_alone, 1e-3},
-        {"wind x 1e6",          "HHHHHHHHHEH HHH", "HHHHHHHHHEH", kSmooth, leave_alone, 1},
+        {"wind x 1e6",          "HHHHHHHHHEH HHH", "HHHHHHHHHEH", kThrown, leave_alone, 1},
         {"step 1e-9 s",         "RRRRRRRRRRR HHH", "RRRRRRRRRRR", kSmooth, leave_alone, 1e-6, 1e-9},
-        {"frames of 1e-9 s",    "HHHHHHHHHHH HHH", "HHHHHHHHHHH", {"rk4", 1e-10}, leave_alone, 1e-6, 1e-9, 8, 1e-9},
+        {"frames of 1e-9 s",    "HHHHHHHHHHH HHH", "HHHHHHHHHHH", {"rk4", 1e-10}, leave_alone, 1e-6, 1e-9, 1e-9},
         {"step 10 s",           "SSSSSHSEHEE HHH", "oooooHoEHoo", kRough, leave_alone, 1e-6, 10},
-        {"frames of 10 s",      "RSSSSSSEHEX HHH", "oXXXXXXEHXo", {"rk4", 1e-4, true}, leave_alone, 1e-6, 10, 2, 10},
+        {"frames of 10 s",      "RSSSSSSEHEX HHH", "oXXXXXXEHXo", {"rk4", 1e-4, true}, leave_alone, 1e-6, 10, 10, 2},
         {"one particle",        "HHHHHHHHHHH HHH", "HHHHHHHHHHH", kSmooth, leave_one},
         {"everything fixed",    "HHHHHHHHHHH HHH", "HHHHHHHHHHH", kSmooth, all_fixed(1)},
         {"nothing fixed",       "HHHHHHHHHHH HHH", "HHHHHHHHHHH", kSmooth, all_fixed(0)},
         {"curved threads",      "HHHHHHHHHEH HHH", "HHHHHHHHHEH", kSmooth, curve},
         {"curved, wind x 1e3",  "EHHHHHHHHXH HHH", "EHHHHHHHHoH", kRough, curve, 1e-3},
         {"threads that relax",  "HHHHHHHHHEH RRR", "HHHHHHHHHEH", kRough, relax_threads},
-        {"a spring is cut",     "SHHHHHHHHEH HHH", "oHHHHHHHHEH", kSmooth, leave_alone, 1e-6, 2e-4, 8, kFrame, true},
+        {"a spring is cut",     "SHHHHHHHHEH HHH", "oHHHHHHHHEH", kSmooth, leave_alone, 1e-6, 2e-4, kFrame, 8, true},
     };
     // clang-format on
     for (const Case& each : cases) {
