@@ -7,14 +7,24 @@
 
 namespace orbweaver::mass_spring {
 
-BlockPattern::BlockPattern(const Network& network) : columns_(network.size(), -1) {
+BlockPattern::BlockPattern(const Network& network) { build(network, {}); }
+
+std::optional<BlockPattern> BlockPattern::within(const Network& network, const FactorLimit& limit) {
+    std::optional<BlockPattern> pattern = BlockPattern();
+    if (!pattern->build(network, limit)) pattern.reset();
+    return pattern;
+}
+
+bool BlockPattern::build(const Network& network, const FactorLimit& limit) {
     order(network);
-    fill_in(joined(network));
+    if (!fill_in(joined(network), limit)) return false;
     list_targets();
     place_springs(network);
+    return true;
 }
 
 void BlockPattern::order(const Network& network) {
+    columns_.assign(network.size(), -1);
     std::int32_t free = 0;
     for (std::size_t i = 0; i < network.size(); ++i)
         if (network.fixed[i] == 0) columns_[i] = free++;
@@ -52,10 +62,12 @@ BlockPattern::Neighbors BlockPattern::joined(const Network& network) const {
 }
 
 // Eliminating a column joins its rows to each other; the topmost of them, its parent, hands that on.
-void BlockPattern::fill_in(Neighbors below) {
+bool BlockPattern::fill_in(Neighbors below, const FactorLimit& limit) {
     std::vector<std::int32_t> merged;
     for (std::size_t column = 0; column < columns(); ++column) {
         const auto& rows = below[column];
+        updates_ += rows.size() * (rows.size() + 1) / 2;
+        if (updates_ > limit.updates || columns() + rows_.size() + rows.size() > limit.blocks) return false;
         begins_[column] = rows_.size();
         rows_.insert(rows_.end(), rows.begin(), rows.end());
         if (rows.empty()) continue;
@@ -65,6 +77,7 @@ void BlockPattern::fill_in(Neighbors below) {
         parent = merged;
     }
     begins_.back() = rows_.size();
+    return true;
 }
 
 std::int32_t BlockPattern::block_at(std::int32_t row, std::int32_t column) const noexcept {
@@ -76,6 +89,7 @@ std::int32_t BlockPattern::block_at(std::int32_t row, std::int32_t column) const
 }
 
 void BlockPattern::list_targets() {
+    targets_.reserve(updates_);
     for (std::size_t k = 0; k < columns(); ++k) {
         const auto eliminated = rows(k);
         for (std::size_t j = 0; j < eliminated.size(); ++j)

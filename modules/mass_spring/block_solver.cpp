@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lanes.hpp"
 #include "targets.hpp"
@@ -138,8 +139,8 @@ ORBWEAVER_INLINE void substitute_backward(const BlockPattern& pattern, const dou
 
 }  // namespace
 
-BlockSolver::BlockSolver(const Network& network)
-    : pattern_(network), factor_(pattern_.blocks() * kBlock), right_(pattern_.columns() * kColumn) {}
+BlockSolver::BlockSolver(BlockPattern pattern)
+    : pattern_(std::move(pattern)), factor_(pattern_.blocks() * kBlock), right_(pattern_.columns() * kColumn) {}
 
 void BlockSolver::add(std::int32_t block, double sign, const SymmetricBlock& b) noexcept {
     double* to = factor_.data() + static_cast<std::size_t>(block) * kBlock;

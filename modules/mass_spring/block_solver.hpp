@@ -13,7 +13,7 @@ namespace orbweaver::mass_spring {
 /// lanes wide (README, "Solving").
 class BlockSolver final : public LinearSolver {
 public:
-    explicit BlockSolver(const Network& network);
+    explicit BlockSolver(BlockPattern pattern);
 
     bool factorize(std::span<const double> diagonal, std::span<const SymmetricBlock> blocks) override;
     void solve(std::span<const Vec3> b, std::span<Vec3> u) override;

@@ -53,11 +53,15 @@ ControlledRun Integrator::advance_within(std::span<Vec3> x, std::span<Vec3> v, d
     pack(x, v);
     double left = span;
     double left_at_look = span;
+    double count = 0, h = 0;            // of the equal steps that what is left is cut into
     std::int64_t refused = -kPatience;  // the last step that was
     while (run.steps < most_steps && run.next > kShortest * span) {
-        // What is left in equal steps, so that none is a crumb.
-        const double count = std::max(1.0, std::ceil(left / run.next * (1 - 1e-9)));
-        const double h = left / count;
+        // What is left in equal steps, so that none is a crumb; cut anew only where the step is to be another,
+        // or rounding would change it a little every time and no method could go on with the matrix it has.
+        if (count == 0) {
+            count = std::max(1.0, std::ceil(left / run.next * (1 - 1e-9)));
+            h = left / count;
+        }
         start_x_ = x_;
         start_v_ = v_;
         method_->step(*system_, x_, v_, h);
@@ -75,10 +79,12 @@ ControlledRun Integrator::advance_within(std::span<Vec3> x, std::span<Vec3> v, d
             v_ = start_v_;
             method_->begin();
             refused = run.steps;
+            count = 0;
             continue;
         }
         run.error += error;
         left = count == 1 ? 0 : left - h;
+        count = scale == 1 ? count - 1 : 0;
         if (left == 0) {
             run.finished = true;
             break;

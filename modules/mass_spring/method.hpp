@@ -20,6 +20,8 @@ public:
     /// embedded order.
     virtual double error(DynamicSystem&) { return std::numeric_limits<double>::infinity(); }
     /// Steps go on from a state that may not be where the last one ended: nothing kept may matter any more.
+    /// That goes for a factorisation too: what Newton's method ends in rests on it to within its tolerance, and
+    /// a restored run, which must come to the same bits, has none.
     virtual void begin() noexcept {}
     virtual std::size_t memory_bytes() const noexcept = 0;  ///< of the scratch
 };

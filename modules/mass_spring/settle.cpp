@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
-#include "block_solver.hpp"
 #include "larger.hpp"
+#include "linear_solver.hpp"
 #include "relax.hpp"
 
 namespace orbweaver::mass_spring {
@@ -28,7 +29,7 @@ public:
           trial_(x.size()),
           diagonal_(x.size()),
           blocks_(system.network().springs.size()),
-          solver_(system.network()) {
+          solver_(make_linear_solver(system.linear_solver(), system.network())) {
         for (const Spring& s : system.network().springs) stiffest_ = std::max(stiffest_, s.stiffness);
         look();
     }
@@ -81,10 +82,11 @@ private:
             blocks_[i] = stiffness_block(l, system_->tension(i, norm(l)), shift_ > 0);
         }
         std::fill(diagonal_.begin(), diagonal_.end(), shift_);
-        if (!solver_.factorize(diagonal_, blocks_)) return false;
+        if (!solver_->factorize(diagonal_, blocks_)) return false;
         system_->forces(x_, still_, force_);
-        solver_.solve(force_, step_);
-        return true;
+        solver_->solve(force_, step_);
+        // An iterative solver finds only here that a matrix is not positive definite.
+        return std::all_of(step_.begin(), step_.end(), [](const Vec3& each) { return is_finite(each); });
     }
 
     bool search_line() {
@@ -115,7 +117,7 @@ private:
     std::vector<Vec3> force_, step_, trial_;
     std::vector<double> diagonal_;
     std::vector<SymmetricBlock> blocks_;
-    BlockSolver solver_;
+    std::unique_ptr<LinearSolver> solver_;
     double stiffest_ = 0;  ///< N/m
     double shift_ = 0;     ///< N/m, added to the diagonal
     double energy_ = 0;    ///< J

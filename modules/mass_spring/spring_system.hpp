@@ -100,8 +100,9 @@ public:
 
     /// In force until the next call; the external forces are copied.
     void set_surroundings(const Surroundings& surroundings);
-    /// Of implicit methods, from the next prepare() on.
+    /// Of implicit methods, from the next prepare() on, and of settle().
     void use_linear_solver(LinearSolverKind kind);
+    LinearSolverKind linear_solver() const noexcept { return linear_solver_; }
     const Network& network() const noexcept;
     std::size_t size() const noexcept;  ///< particles
     std::size_t memory_bytes() const noexcept;

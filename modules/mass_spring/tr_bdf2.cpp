@@ -52,14 +52,25 @@ public:
         std::fill(error_x_.begin(), error_x_.end(), kNone);
     }
 
-    /// Stiff parts are taken out of the error by the last stage's matrix, as the method takes them out of the
-    /// motion.
+    /// Stiff parts are taken out of the error e of (x, v) as the method takes them out of the motion: z = (I -
+    /// g J)^-1 e with the Jacobian J of x' = v, v' = a. Its position part solves, z_v = (z_x - e_x)/g
+    /// eliminated,
+    ///     (M + g C + g^2 K) z_x = M (e_x + g e_v) + g C e_x:
+    /// the error of x and the way of a step that the error of v makes. Drag and damping are linear in v, so
+    /// that g C e_x = g^2 M [a(x, v) - a(x, v + e_x/g)].
     double error(DynamicSystem& system) override {
         if (halved_) return std::numeric_limits<double>::infinity();  // only of its last part is it known
-        system.solve(error_v_, v_base_);
+        wide_loop(v_.size(), [g = g_, v = v_.data(), ex = error_x_.data(), shifted = v2_.data()](std::size_t i)
+                                 ORBWEAVER_ALWAYS_INLINE { shifted[i] = v[i] + ex[i] / g; });
+        std::vector<double>&right = v_base_, &filtered = x_base_;
+        system.accelerations(x_, v2_, right);
+        wide_loop(right.size(), [g = g_, a = a_.data(), ex = error_x_.data(), ev = error_v_.data(),
+                                 r = right.data()](std::size_t i) ORBWEAVER_ALWAYS_INLINE {
+            r[i] = ex[i] + g * (ev[i] + g * (a[i] - r[i]));
+        });
+        system.solve(right, filtered);
         double largest = 0;
-        for (std::size_t i = 0; i < error_x_.size(); ++i)
-            largest = larger(larger(largest, error_x_[i]), g_ * v_base_[i]);
+        for (const double each : filtered) largest = larger(largest, each);
         return largest;
     }
 

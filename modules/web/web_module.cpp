@@ -32,9 +32,9 @@ public:
         make_state(host);
         if (motion.settings.method == nullptr) make_choice_state(host);
         make_system(host);
+        system_->use_linear_solver(motion.linear_solver);
         if (host.options().flag("settle")) settle(host);
         start_residual_ = residual();
-        system_->use_linear_solver(motion.linear_solver);
         if (motion.settings.method == nullptr) choose(host, motion);
         settings_ = std::move(motion.settings);
         settings_.describe_spring = [this](std::size_t i) { return describe_spring(i); };

@@ -67,7 +67,7 @@ Matrix eigen_matrix(const TautWeb& web) {
 }
 
 void factorize_blocks(benchmark::State& state) {
-    BlockSolver solver(taut_web().network);
+    BlockSolver solver(BlockPattern(taut_web().network));
     for (auto _ : state) benchmark::DoNotOptimize(solver.factorize(taut_web().diagonal, taut_web().blocks));
 }
 
@@ -79,7 +79,7 @@ void factorize_eigen(benchmark::State& state) {
 }
 
 void solve_blocks(benchmark::State& state) {
-    BlockSolver solver(taut_web().network);
+    BlockSolver solver(BlockPattern(taut_web().network));
     solver.factorize(taut_web().diagonal, taut_web().blocks);
     std::vector<Vec3> u(taut_web().network.size());
     for (auto _ : state) solver.solve(taut_web().layout.positions, u);

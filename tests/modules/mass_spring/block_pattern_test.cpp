@@ -59,6 +59,20 @@ TEST_CASE("the pattern holds just what elimination fills, and each column's targ
     }
 }
 
+TEST_CASE("a pattern is made within its limit to the block and to the update, and not beyond", "[unit]") {
+    for (const bodies::Body& body : {bodies::ragged_web(0), bodies::tangle(60, 0), bodies::lattice(8, 0.1)}) {
+        const BlockPattern whole(body.network);
+        const FactorLimit just{whole.blocks(), whole.targets().size()};
+        const auto within = BlockPattern::within(body.network, just);
+        REQUIRE(within);
+        CHECK(within->blocks() == whole.blocks());
+        CHECK(std::equal(within->targets().begin(), within->targets().end(), whole.targets().begin(),
+                         whole.targets().end()));
+        CHECK_FALSE(BlockPattern::within(body.network, {just.blocks - 1, just.updates}));
+        CHECK_FALSE(BlockPattern::within(body.network, {just.blocks, just.updates - 1}));
+    }
+}
+
 TEST_CASE("a thread fills nothing", "[unit]") {
     const BlockPattern pattern(bodies::bead_string(50, 0.01, 1, 1, 0.1).network);
     CHECK(pattern.columns() == 50);

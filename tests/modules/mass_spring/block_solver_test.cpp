@@ -23,7 +23,7 @@ TEST_CASE("solving undoes the tangent stiffness", "[unit]") {
     for (Body body : {bodies::ragged_web(0), bodies::tangle(60, 0)}) {
         for (Spring& s : body.network.springs) s.rest_length = 0.01;  // taut: positive definite
         body.network.fixed[0] = body.network.fixed[9] = body.network.fixed[30] = 1;
-        BlockSolver solver(body.network);
+        BlockSolver solver(BlockPattern(body.network));
         const std::vector<double> shift(body.x.size(), 0.25);
         REQUIRE(solver.factorize(shift, blocks_of(body, false)));
         std::vector<Vec3> u(body.x.size()), back(body.x.size());
@@ -42,7 +42,7 @@ TEST_CASE("solving undoes the tangent stiffness", "[unit]") {
 
 TEST_CASE("a matrix that is not positive definite is told", "[unit]") {
     Body body = bodies::bead_string(3, 0.01, 1, 1, -0.005);  // compressed: it would buckle
-    BlockSolver solver(body.network);
+    BlockSolver solver(BlockPattern(body.network));
     const std::vector<double> none(body.x.size());
     CHECK_FALSE(solver.factorize(none, blocks_of(body, false)));
     const std::vector<double> little(body.x.size(), 1e-6);
@@ -52,7 +52,7 @@ TEST_CASE("a matrix that is not positive definite is told", "[unit]") {
 TEST_CASE("where everything is fixed there is nothing to solve", "[unit]") {
     Body body = bodies::oscillator(1, 1);
     body.network.fixed[1] = 1;
-    BlockSolver solver(body.network);
+    BlockSolver solver(BlockPattern(body.network));
     CHECK(solver.factorize(std::vector<double>(2), blocks_of(body, false)));
     std::vector<Vec3> u(2, Vec3{1, 1, 1});
     solver.solve(body.x, u);

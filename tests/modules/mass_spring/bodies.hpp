@@ -91,6 +91,23 @@ inline Body hanging_thread(std::size_t links, double span, double length, double
     return body;
 }
 
+/// A lattice of n x n x n, 1 cm apart, its springs strained by `strain`, all of its surface fixed.
+inline Body lattice(std::uint32_t n, double strain) {
+    constexpr double kSpacing = 0.01, kMass = 1e-6, kStiffness = 1;
+    Body body;
+    const auto outermost = [n](std::uint32_t i) { return i == 0 || i + 1 == n; };
+    for (std::uint32_t z = 0; z < n; ++z)
+        for (std::uint32_t y = 0; y < n; ++y)
+            for (std::uint32_t x = 0; x < n; ++x) {
+                const bool fixed = outermost(x) || outermost(y) || outermost(z);
+                const auto i = body.add({kSpacing * x, kSpacing * y, kSpacing * z}, kMass, fixed);
+                if (x > 0) body.join(i - 1, i, kSpacing / (1 + strain), kStiffness);
+                if (y > 0) body.join(i - n, i, kSpacing / (1 + strain), kStiffness);
+                if (z > 0) body.join(i - n * n, i, kSpacing / (1 + strain), kStiffness);
+            }
+    return body;
+}
+
 /// A hub with `spokes` springs of 0.1 m, slightly taut, to fixed ends.
 inline Body wheel(std::size_t spokes, double mass, double stiffness, double damping) {
     Body body;

@@ -1,5 +1,6 @@
 #include "integrator.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -85,6 +86,42 @@ TEST_CASE("a tighter tolerance is paid in steps and repaid in accuracy", "[unit]
             before = wrong;
             steps = run.steps;
         }
+    }
+}
+
+namespace {
+
+/// Moves nothing, remembers its steps, and errs by as much each time.
+class Recorder final : public Method {
+public:
+    static constexpr double kError = 1e-6;  // m
+    static std::vector<double>& steps() {
+        static std::vector<double> each;
+        return each;
+    }
+    void step(DynamicSystem&, std::span<double>, std::span<double>, double h) override { steps().push_back(h); }
+    double error(DynamicSystem&) override { return kError; }
+    std::size_t memory_bytes() const noexcept override { return 0; }
+};
+
+}  // namespace
+
+TEST_CASE("while a step has no reason to change, its bits do not either", "[unit]") {
+    // An implicit method makes its matrix for one step to the last bit, and keeps it only for that.
+    const MethodInfo info{"recorder", 2, 2, 1,
+                          [](std::size_t) -> std::unique_ptr<Method> { return std::make_unique<Recorder>(); }};
+    bodies::Body body = bodies::oscillator(1, 1);
+    SpringSystem system(body.network, nullptr);
+    for (const double first : {0.007, 0.013, 0.3, 1.0}) {
+        Recorder::steps().clear();
+        const ControlledRun run =
+            Integrator(system, info).advance_within(body.x, body.v, 1, 2.1 * Recorder::kError, first, 1000);
+        CHECK(run.finished);
+        CHECK(run.next == first);
+        const std::vector<double>& steps = Recorder::steps();
+        CHECK(steps.size() == std::ceil(1 / first));
+        CHECK(std::count(steps.begin(), steps.end(), steps.front()) == std::ssize(steps));
+        CHECK(steps.front() * std::ceil(1 / first) == Approx(1).epsilon(1e-15));
     }
 }
 
