@@ -14,48 +14,58 @@ Integrator::Integrator(SpringSystem& system, const MethodInfo& method)
       x_(system.length()),
       v_(system.length()) {}
 
-void Integrator::pack(std::span<const Vec3> x, std::span<const Vec3> v) {
+void Integrator::begin(std::span<const Vec3> x, std::span<const Vec3> v, StepBudget& budget) {
     system_->packing().pack(x, x_);
     system_->packing().pack(v, v_);
     method_->begin();
+    method_->use_budget(&budget);
 }
 
-void Integrator::unpack(std::span<Vec3> x, std::span<Vec3> v) const {
+void Integrator::end(std::span<Vec3> x, std::span<Vec3> v) {
+    method_->use_budget(nullptr);
     system_->packing().unpack(x_, x);
     system_->packing().unpack(v_, v);
 }
 
 void Integrator::advance(std::span<Vec3> x, std::span<Vec3> v, double h, std::int64_t count) {
-    pack(x, v);
+    StepBudget endless;
+    advance(x, v, h, count, endless);
+}
+
+bool Integrator::advance(std::span<Vec3> x, std::span<Vec3> v, double h, std::int64_t count,
+                         StepBudget& budget) {
+    begin(x, v, budget);
     const bool creeps = system_->creep_count() > 0;
     if (creeps) system_->creep(x_, h / 2);
-    for (std::int64_t i = 0; i < count; ++i) {
+    for (std::int64_t i = 0; i < count && budget.take(); ++i) {
         method_->step(*system_, x_, v_, h);
         if (!creeps) continue;
         system_->creep(x_, i + 1 < count ? h : h / 2);
         method_->begin();
     }
-    unpack(x, v);
+    end(x, v);
+    return !budget.refused();
 }
 
 ControlledRun Integrator::advance_within(std::span<Vec3> x, std::span<Vec3> v, double span, double tolerance,
-                                         double first, std::int64_t most_steps) {
+                                         double first, StepBudget budget) {
     constexpr double kShortest = 1e-12;  // of the span
     constexpr std::int64_t kPatience =
         10;  // steps without growth: where stability rules, it would be refused again
     // A hundredth of the steps that gets less than a thousandth of the way will not be made up for.
     constexpr std::int64_t kFewest = 1000;
-    const std::int64_t pace = std::max(kFewest, most_steps / 100);
-    const double least_way = span * static_cast<double>(pace) / static_cast<double>(most_steps) / 10;
+    const std::int64_t pace = std::max(kFewest, budget.most() / 100);
+    const double least_way = span * static_cast<double>(pace) / static_cast<double>(budget.most()) / 10;
     const StepControl control(info_->embedded_order, tolerance);
     ControlledRun run;
     run.next = first;
-    pack(x, v);
+    begin(x, v, budget);
     double left = span;
     double left_at_look = span;
     double count = 0, h = 0;            // of the equal steps that what is left is cut into
     std::int64_t refused = -kPatience;  // the last step that was
-    while (run.steps < most_steps && run.next > kShortest * span) {
+    std::int64_t tried = 0;
+    while (run.next > kShortest * span && budget.take()) {
         // What is left in equal steps, so that none is a crumb; cut anew only where the step is to be another,
         // or rounding would change it a little every time and no method could go on with the matrix it has.
         if (count == 0) {
@@ -65,20 +75,20 @@ ControlledRun Integrator::advance_within(std::span<Vec3> x, std::span<Vec3> v, d
         start_x_ = x_;
         start_v_ = v_;
         method_->step(*system_, x_, v_, h);
-        ++run.steps;
-        if (run.steps % pace == 0) {
+        ++tried;
+        if (tried % pace == 0) {
             if (left_at_look - left < least_way) break;
             left_at_look = left;
         }
         const double error = method_->error(*system_);
         const double wish = control.scale(error);
-        const double scale = run.steps - refused > kPatience ? wish : std::min(1.0, wish);
+        const double scale = tried - refused > kPatience ? wish : std::min(1.0, wish);
         run.next = std::min(span, scale == 1 ? std::max(h, run.next) : scale * h);
         if (!control.accepts(error)) {
             x_ = start_x_;
             v_ = start_v_;
             method_->begin();
-            refused = run.steps;
+            refused = tried;
             count = 0;
             continue;
         }
@@ -90,7 +100,9 @@ ControlledRun Integrator::advance_within(std::span<Vec3> x, std::span<Vec3> v, d
             break;
         }
     }
-    unpack(x, v);
+    end(x, v);
+    run.steps = budget.taken();
+    run.stopped = budget.stopped();
     return run;
 }
 

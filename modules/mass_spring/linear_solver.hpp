@@ -31,7 +31,7 @@ public:
 enum class LinearSolverKind : std::uint8_t {
     automatic,  ///< cholesky where its factor, counted before it is made, is of at most 4 million blocks and
                 ///< 134 million updates, some 1 GB; conjugate_gradients beyond
-    cholesky,  ///< whatever it takes
+    cholesky,   ///< whatever it takes
     conjugate_gradients
 };
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "spring_system.hpp"
+#include "step_budget.hpp"
 
 namespace orbweaver::mass_spring {
 
@@ -23,6 +24,9 @@ public:
     /// That goes for a factorisation too: what Newton's method ends in rests on it to within its tolerance, and
     /// a restored run, which must come to the same bits, has none.
     virtual void begin() noexcept {}
+    /// While it is not null, parts that a step is divided into, beyond the step itself, are taken from it. A
+    /// step to which they are refused ends in velocities that are not numbers.
+    virtual void use_budget(StepBudget*) noexcept {}
     virtual std::size_t memory_bytes() const noexcept = 0;  ///< of the scratch
 };
 

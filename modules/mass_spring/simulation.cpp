@@ -131,11 +131,12 @@ std::size_t Simulation::memory_bytes() const noexcept {
     return system_->memory_bytes() + integrator_.memory_bytes() + judge + 4 * x_.size() * sizeof(Vec3);
 }
 
-bool Simulation::integrate(Integrator& integrator, std::span<Vec3> x, std::span<Vec3> v, std::int64_t count) {
+bool Simulation::integrate(Integrator& integrator, std::span<Vec3> x, std::span<Vec3> v, std::int64_t count,
+                           StepBudget& budget) {
     constexpr std::int64_t kStepsPerLook = 256;  // so that a long frame does not go on for nothing
     const double h = frame_step_ / static_cast<double>(count);
     for (std::int64_t done = 0; done < count; done += kStepsPerLook) {
-        integrator.advance(x, v, h, std::min(kStepsPerLook, count - done));
+        if (!integrator.advance(x, v, h, std::min(kStepsPerLook, count - done), budget)) return false;
         if (watch_.first_bad(x, v) < x.size()) return false;
     }
     return true;
@@ -156,18 +157,19 @@ void Simulation::advance(std::uint64_t frame, double time) {
 }
 
 void Simulation::advance_within_tolerance(std::uint64_t frame, double time) {
-    const ControlledRun run =
-        integrator_.advance_within(x_, v_, frame_step_, settings_.tolerance, substep(), settings_.max_substeps);
+    const ControlledRun run = integrator_.advance_within(x_, v_, frame_step_, settings_.tolerance, substep(),
+                                                         {settings_.max_substeps, settings_.stop_asked});
+    if (run.stopped) stop(frame, time);
     steps_ += static_cast<std::uint64_t>(run.steps);
     if (!run.finished || watch_.first_bad(x_, v_) < x_.size()) {
         restore_start();
         throw Fault(FaultKind::diverged,
                     "frame " + std::to_string(frame) + " at t = " + seconds_text(time) +
                         " could not be finished with errors of at most " + number_text(settings_.tolerance) +
-                        " m a step: after " + std::to_string(run.steps) + " steps " +
-                        std::string(settings_.method->name) + " was down to steps of " +
-                        seconds_text(run.next) + "; the state at t = " + seconds_text(time) +
-                        " is kept; ask for a larger tolerance, or an implicit method");
+                        " m a step: after " + std::to_string(run.steps) +
+                        " steps, parts of divided ones counted, " + std::string(settings_.method->name) +
+                        " was down to steps of " + seconds_text(run.next) + "; the state at t = " +
+                        seconds_text(time) + " is kept; ask for a larger tolerance, or an implicit method");
     }
     set_substep(run.next);
     energy_gain_ += std::max(0.0, balance_energy(*system_, start_energy_, start_x_, x_, v_).gain);
@@ -177,13 +179,13 @@ void Simulation::advance_within_tolerance(std::uint64_t frame, double time) {
 void Simulation::advance_in_equal_steps(std::uint64_t frame, double time) {
     if (frame % kFramesPerAdvice == 0) choose_substep();
     EnergyBalance balance;
-    bool finished = run_frame(balance);
+    bool finished = run_frame(frame, time, balance);
     if (may_be_unstable() && !(finished && balance.holds()))
         finished = answer_instability(frame, time, finished, balance);
     if (!finished) fail(frame, time);
     energy_gain_ += std::max(0.0, balance.gain);
     const std::int64_t count = substeps_per_frame();
-    steps_ += static_cast<std::uint64_t>(count);
+    steps_ += static_cast<std::uint64_t>(frame_steps_);
     error_.count_frame();
     lost_.count_frame();
     system_->get_creep(end_creep_);
@@ -192,8 +194,13 @@ void Simulation::advance_in_equal_steps(std::uint64_t frame, double time) {
     std::copy(end_creep_.begin(), end_creep_.end(), creep_.begin());
 }
 
-bool Simulation::run_frame(EnergyBalance& balance) {
-    if (!integrate(integrator_, x_, v_, substeps_per_frame())) return false;
+bool Simulation::run_frame(std::uint64_t frame, double time, EnergyBalance& balance) {
+    StepBudget budget(settings_.max_substeps, settings_.stop_asked);
+    const bool finished = integrate(integrator_, x_, v_, substeps_per_frame(), budget);
+    if (budget.stopped()) stop(frame, time);
+    if (budget.refused()) refuse_parts(frame, time);
+    frame_steps_ = budget.taken();
+    if (!finished) return false;
     balance = balance_energy(*system_, start_energy_, start_x_, x_, v_);
     return true;
 }
@@ -202,7 +209,7 @@ bool Simulation::may_be_unstable() const noexcept { return !is_bounded() || subs
 
 bool Simulation::is_bounded() const noexcept { return bound_step_ > 0 && !std::isinf(bound_step_); }
 
-bool Simulation::redo_shorter(bool finished, EnergyBalance& balance) {
+bool Simulation::redo_shorter(std::uint64_t frame, double time, bool finished, EnergyBalance& balance) {
     constexpr int kMostHalvings = 10;
     for (int i = 0; i < kMostHalvings && !(finished && balance.holds()); ++i) {
         if (!is_bounded() && 2 * substeps_per_frame() > settings_.max_substeps) break;
@@ -211,7 +218,7 @@ bool Simulation::redo_shorter(bool finished, EnergyBalance& balance) {
         const double shorter = is_bounded() ? bound_step_ : substep() / 2;
         const std::int64_t count = count_bounded(settings_, shorter, frame_step_);
         set_substep(frame_step_ / static_cast<double>(count));
-        finished = run_frame(balance);
+        finished = run_frame(frame, time, balance);
         if (is_bounded()) break;
     }
     return finished;
@@ -223,7 +230,7 @@ bool Simulation::answer_instability(std::uint64_t frame, double time, bool finis
         (finished ? " gained " + number_text(balance.gain) + " J from nowhere" : " could not be finished") +
         " at steps of " + seconds_text(substep());
     if (settings_.on_unstable == OnUnstable::substep) {
-        finished = redo_shorter(finished, balance);
+        finished = redo_shorter(frame, time, finished, balance);
         if (!finished) return false;
         if (!is_bounded() && !balance.holds()) {
             restore_start();
@@ -261,15 +268,18 @@ void Simulation::measure_error(std::int64_t count) {
     const Stopwatch watch(error_seconds_);
     start_trial();
     constexpr std::int64_t kMostJudged = 128;  // steps of an implicit method: what these err may count too
-    const bool redone = judge_ != nullptr ? integrate(*judge_, trial_x_, trial_v_, std::min(count, kMostJudged))
-                                          : integrate(integrator_, trial_x_, trial_v_, 2 * count);
+    StepBudget budget(2 * settings_.max_substeps, settings_.stop_asked);
+    const bool redone = judge_ != nullptr
+                            ? integrate(*judge_, trial_x_, trial_v_, std::min(count, kMostJudged), budget)
+                            : integrate(integrator_, trial_x_, trial_v_, 2 * count, budget);
+    system_->set_creep(end_creep_);
+    if (budget.stopped()) return;  // the run ends: the samples so far stand for this frame too
     if (!redone)
         error_.add_unknown();
     else if (judge_ != nullptr)
         error_.add_judged(x_, trial_x_, v_, trial_v_, frame_step_);
     else
         error_.add(x_, trial_x_, integrator_.order());
-    system_->set_creep(end_creep_);
 }
 
 void Simulation::measure_lost_vibrations(std::int64_t count) {
@@ -312,6 +322,25 @@ void Simulation::start_trial() noexcept {
     system_->set_creep(creep_);
 }
 
+void Simulation::stop(std::uint64_t frame, double time) {
+    restore_start();
+    throw Fault(FaultKind::stopped, "frame " + std::to_string(frame) + " at t = " + seconds_text(time) +
+                                        " was given up, as was asked; the state at t = " + seconds_text(time) +
+                                        " is kept");
+}
+
+void Simulation::refuse_parts(std::uint64_t frame, double time) {
+    const double h = substep();
+    restore_start();
+    throw Fault(FaultKind::diverged,
+                "frame " + std::to_string(frame) + " at t = " + seconds_text(time) + " was given up after " +
+                    std::to_string(settings_.max_substeps) +
+                    " steps and parts of steps: " + std::string(settings_.method->name) + " divides those of " +
+                    seconds_text(h) + " in which it does not find the motion; expected at most " +
+                    std::to_string(settings_.max_substeps) + " in all; the state at t = " + seconds_text(time) +
+                    " is kept; ask for a shorter step, or lower stiffness and loads");
+}
+
 void Simulation::fail(std::uint64_t frame, double time) {
     const std::int64_t count = substeps_per_frame();
     const double h = substep();
@@ -319,10 +348,11 @@ void Simulation::fail(std::uint64_t frame, double time) {
     restore_start();
     std::int64_t done = 0;
     std::size_t bad = x_.size();
-    while (bad == x_.size() && done < count) {
+    StepBudget budget(settings_.max_substeps, settings_.stop_asked);
+    while (bad == x_.size() && done < count && !budget.refused()) {
         std::copy(x_.begin(), x_.end(), trial_x_.begin());
         std::copy(v_.begin(), v_.end(), trial_v_.begin());
-        integrator_.advance(x_, v_, frame_step_ / static_cast<double>(count), 1);
+        integrator_.advance(x_, v_, frame_step_ / static_cast<double>(count), 1, budget);
         bad = watch_.first_bad(x_, v_);
         ++done;
     }

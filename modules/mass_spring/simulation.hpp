@@ -51,6 +51,9 @@ public:
     /// the constructor, with x and v untouched, when the configuration has come to need shorter steps than the
     /// settings allow.
     ///
+    /// Throws Fault(diverged) where steps that the method divides come to more than max_substeps, and
+    /// Fault(stopped) soon after settings.stop_asked says so, in both cases with the frame's start in x and v.
+    ///
     /// Within a tolerance, the method chooses its steps, the first by the advice, and refuses those that err.
     /// Throws Fault(diverged) where no step errs little enough, or a frame would take more than max_substeps.
     void advance(std::uint64_t frame, double time);
@@ -61,7 +64,7 @@ public:
     void network_changed();
 
     const Advice& advice() const noexcept;
-    std::uint64_t steps() const noexcept;  ///< of the method, error estimation not counted
+    std::uint64_t steps() const noexcept;  ///< and parts of them, error estimation not counted
     double substep() const noexcept;       ///< s, in use now
     /// Largest position error expected at the run's end, m: what the steps' own estimates add up to within a
     /// tolerance; else order-aware step doubling on sampled frames, or what the method's judge makes of them,
@@ -84,15 +87,17 @@ private:
     void advance_in_equal_steps(std::uint64_t frame, double time);
     void set_substep(double seconds) noexcept;
     std::int64_t substeps_per_frame() const noexcept;
-    /// `count` steps over one frame from x, v; false as soon as a value is found to mean nothing.
-    bool integrate(Integrator& integrator, std::span<Vec3> x, std::span<Vec3> v, std::int64_t count);
+    /// `count` steps over one frame from x, v; false as soon as a value is found to mean nothing, or the budget
+    /// refuses one.
+    bool integrate(Integrator& integrator, std::span<Vec3> x, std::span<Vec3> v, std::int64_t count,
+                   StepBudget& budget);
     /// As many steps as plan; false when it could not be finished. The balance is of the whole frame.
-    bool run_frame(EnergyBalance& balance);
+    bool run_frame(std::uint64_t frame, double time, EnergyBalance& balance);
     /// Whether there is a step that is stable in every arrangement.
     bool is_bounded() const noexcept;
     /// Whether energy from nowhere could be the step's doing.
     bool may_be_unstable() const noexcept;
-    bool redo_shorter(bool finished, EnergyBalance& balance);
+    bool redo_shorter(std::uint64_t frame, double time, bool finished, EnergyBalance& balance);
     /// What on_unstable says of a frame that can be no motion, run at steps that may be too long.
     bool answer_instability(std::uint64_t frame, double time, bool finished, EnergyBalance& balance);
     void warn_of_gain(const std::string& sentence);
@@ -105,6 +110,8 @@ private:
     /// it mean nothing. Not finite where values are not.
     double unexplained_loss(std::int64_t count, double& rounding);
     double lost_amplitude() const noexcept;
+    [[noreturn]] void stop(std::uint64_t frame, double time);
+    [[noreturn]] void refuse_parts(std::uint64_t frame, double time);
     [[noreturn]] void fail(std::uint64_t frame, double time);
 
     SpringSystem* system_;
@@ -128,6 +135,7 @@ private:
     double energy_gain_ = 0;
     double error_seconds_ = 0;
     std::uint64_t steps_ = 0;
+    std::int64_t frame_steps_ = 0;         ///< that the frame took when it was last run, parts of steps counted
     std::vector<Vec3> start_x_, start_v_;  ///< the last good state
     std::vector<Vec3> trial_x_, trial_v_;  ///< of a frame redone
     std::vector<double> end_creep_;        ///< m, while a frame is redone

@@ -18,7 +18,9 @@ struct SimulationSettings {
     double tolerance =
         0;  ///< m, of one step of a method with an embedded order, which then chooses steps; 0: fixed
     OnUnstable on_unstable = OnUnstable::substep;
-    std::int64_t max_substeps = 100000;                       ///< of one frame; more is refused in words
+    std::int64_t max_substeps = 100000;  ///< of one frame, parts of steps that a method divides counted; more
+                                         ///< is refused in words
+    std::function<bool()> stop_asked;    ///< whether the frame is to be given up
     std::function<std::string(std::size_t)> describe_spring;  ///< "spring 12 (radius, 3 to 7)"
     std::function<void(const std::string&)> warn;             ///< receives full sentences
 };

@@ -40,6 +40,7 @@ public:
         stage_.forget();
         has_slope_ = false;
     }
+    void use_budget(StepBudget* budget) noexcept override { budget_ = budget; }
 
     void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) override {
         constexpr int kMostIterations = 8000;  // of Newton's method, in all parts: two for each of the least
@@ -83,6 +84,7 @@ private:
     bool halve_until_found(DynamicSystem& system, std::span<double> x, std::span<double> v, double h,
                            int depth) {
         constexpr int kDeepest = 12;
+        if (depth > 0 && budget_ != nullptr && !budget_->take()) return false;
         if (try_step(system, x, v, h)) return true;
         halved_ = true;
         return depth < kDeepest && halve_until_found(system, x, v, h / 2, depth + 1) &&
@@ -132,6 +134,7 @@ private:
     std::vector<double> x_base_, v_base_;    ///< what a stage starts from
     std::vector<double> error_x_, error_v_;  ///< of the last step
     NewtonStage stage_;
+    StepBudget* budget_ = nullptr;
     double g_ = 0;            ///< s, of the last step
     bool halved_ = false;     ///< the last step was taken in parts
     bool has_slope_ = false;  ///< a_ is that of the state the last step ended in

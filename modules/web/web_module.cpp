@@ -39,6 +39,7 @@ public:
         settings_ = std::move(motion.settings);
         settings_.describe_spring = [this](std::size_t i) { return describe_spring(i); };
         settings_.warn = [&host](const std::string& sentence) { host.log(LogLevel::warning, sentence); };
+        settings_.stop_asked = [&host] { return host.stop_asked(); };
         frame_step_ = host.scene().step;
         make_simulation();
         offer_telemetry(host);

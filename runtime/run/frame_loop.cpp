@@ -29,7 +29,7 @@ bool run_headless(Session& session, const LoopSettings& settings, const Interrup
         if (interrupt.requested()) return false;
         const bool due =
             draws && picture_due(session.frame() - first, session.scene().step, request.frames_per_second);
-        session.step();
+        if (!session.step([&] { return interrupt.requested(); })) return false;
         recorded();
         if (due) session.present();
         progress.update(session.frame());
@@ -56,7 +56,7 @@ public:
             const InputEvents& events = input_.poll();
             if (events.quit || interrupt.requested()) return false;
             obey(events);
-            session_.present(step(recorded));
+            session_.present(step(interrupt, recorded));
             wait();
         }
         return true;
@@ -64,11 +64,11 @@ public:
 
 private:
     // One frame, unless time stands still. Whether a picture of it is to be recorded.
-    bool step(const std::function<void()>& recorded) {
+    bool step(const Interrupt& interrupt, const std::function<void()>& recorded) {
         if (paused_ && steps_ == 0) return false;
         const bool due =
             picture_due(session_.frame() - first_, session_.scene().step, settings_.request.frames_per_second);
-        session_.step();
+        if (!session_.step([&] { return interrupt.requested(); })) return false;
         recorded();
         if (steps_ > 0) --steps_;
         return due;

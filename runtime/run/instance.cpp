@@ -53,10 +53,12 @@ void Instance::attach() {
                                     planned_.instance, contract));
 }
 
-void Instance::run(Phase phase, const Frame& frame) {
+void Instance::run(Phase phase, const Frame& frame, const std::function<bool()>& stop_asked) {
     const auto start = Clock::now();
     FaultRecord record;
+    stop_asked_ = &stop_asked;
     const bool good = library_->descriptor().run(*module_, phase, frame, record);
+    stop_asked_ = nullptr;
     wall_seconds_ += seconds_since(start);
     if (!good) fail(fmt::format("in frame {}, phase {}", frame.index, to_string(phase)).c_str(), record);
 }

@@ -32,7 +32,8 @@ public:
     Instance& operator=(const Instance&) = delete;
 
     void attach();
-    void run(Phase phase, const Frame& frame);
+    /// `stop_asked` answers Host::stop_asked() meanwhile; empty: no.
+    void run(Phase phase, const Frame& frame, const std::function<bool()>& stop_asked = {});
     void restored();
     void finish();
     ModuleReport report();
@@ -54,6 +55,7 @@ public:
     void log(LogLevel level, std::string_view sentence) override;
     void report_fault(Diagnostic fault) override { faults_.push_back(std::move(fault)); }
     void telemetry(std::string name, std::function<double()> value) override;
+    bool stop_asked() const override { return stop_asked_ != nullptr && *stop_asked_ && (*stop_asked_)(); }
 
 protected:
     void provide_contract(std::string_view contract, void* implementation) override;
@@ -74,6 +76,7 @@ private:
     double setup_seconds_ = 0;
     double wall_seconds_ = 0;
     Module* module_ = nullptr;
+    const std::function<bool()>* stop_asked_ = nullptr;  ///< while it runs
 };
 
 }  // namespace orbweaver

@@ -6,6 +6,8 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "orbweaver/fault.hpp"
+
 namespace orbweaver {
 
 namespace {
@@ -61,29 +63,42 @@ void Session::unload() noexcept {
     while (!instances_.empty()) instances_.pop_back();  // consumers go before their providers
 }
 
-void Session::run_phase(Phase phase) {
+void Session::run_phase(Phase phase, const std::function<bool()>& stop_asked) {
     const Frame frame{frame_, time(), scene_.step};
     for (const auto& instance : instances_)
-        if (instance->takes_part_in(phase)) instance->run(phase, frame);
+        if (instance->takes_part_in(phase)) instance->run(phase, frame, stop_asked);
 }
 
-void Session::step() {
+void Session::keep_state() {
     last_good_.clear();
     for_each_array(instances_, [&](const StateBlock::Entry& entry) {
         const auto* bytes = static_cast<const unsigned char*>(entry.memory());
         last_good_.insert(last_good_.end(), bytes, bytes + entry.bytes());
     });
+}
+
+void Session::put_state_back() {
+    const unsigned char* from = last_good_.data();
+    for_each_array(instances_, [&](StateBlock::Entry& entry) {
+        if (entry.bytes() > 0) std::memcpy(entry.memory(), from, entry.bytes());
+        from += entry.bytes();
+    });
+}
+
+bool Session::step(const std::function<bool()>& stop_asked) {
+    keep_state();
     try {
-        for (const Phase phase : kStepPhases) run_phase(phase);
+        for (const Phase phase : kStepPhases) run_phase(phase, stop_asked);
+    } catch (const Fault& fault) {
+        put_state_back();
+        if (fault.kind() == FaultKind::stopped) return false;
+        throw;
     } catch (...) {
-        const unsigned char* from = last_good_.data();
-        for_each_array(instances_, [&](StateBlock::Entry& entry) {
-            if (entry.bytes() > 0) std::memcpy(entry.memory(), from, entry.bytes());
-            from += entry.bytes();
-        });
+        put_state_back();
         throw;
     }
     ++frame_;
+    return true;
 }
 
 void Session::present(bool recording) {

@@ -28,8 +28,8 @@ public:
     void set_frame(std::uint64_t frame) noexcept { frame_ = frame; }
 
     /// One frame: sense, act, integrate, constrain, derive. On a Fault every module's state is again what
-    /// it was before the frame.
-    void step();
+    /// it was before the frame. False, and the same, when a module gave it up since `stop_asked` said yes.
+    bool step(const std::function<bool()>& stop_asked = {});
     /// Draws the present state, and has it recorded unless told otherwise.
     void present(bool recording = true);
     /// Tells every module that the run is over. Throws the first failure after telling all.
@@ -47,7 +47,9 @@ public:
 private:
     void load(Plan& plan);
     void unload() noexcept;
-    void run_phase(Phase phase);
+    void run_phase(Phase phase, const std::function<bool()>& stop_asked);
+    void keep_state();
+    void put_state_back();
 
     SceneInfo scene_;
     Request request_;

@@ -54,7 +54,7 @@ public:
         record_positions();
         while (session_.frame() < end) {
             if (deadline.passed()) return Ending::timeout;
-            session_.step();
+            if (!session_.step([&] { return deadline.passed(); })) return Ending::timeout;
             record_positions();
             record_energy();
         }

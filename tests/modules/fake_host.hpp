@@ -38,6 +38,7 @@ public:
     void log(LogLevel, std::string_view sentence) override { logged.emplace_back(sentence); }
     void report_fault(Diagnostic fault) override { faults.push_back(std::move(fault)); }
     void telemetry(std::string, std::function<double()>) override {}
+    bool stop_asked() const override { return false; }
 
 protected:
     void provide_contract(std::string_view contract, void* implementation) override {

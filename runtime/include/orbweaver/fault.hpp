@@ -8,6 +8,7 @@ namespace orbweaver {
 
 /// Why a run cannot go on. The value is the process's exit code.
 enum class FaultKind : int {
+    stopped = 0,   ///< nothing is wrong: a frame was given up since a stop was asked (see Host::stop_asked())
     internal = 1,  ///< anything else
     invalid = 3,   ///< scene or asset invalid
     diverged = 4,  ///< the numbers stopped meaning anything, or would have

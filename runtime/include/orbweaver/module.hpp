@@ -66,6 +66,11 @@ public:
     /// frame, only when somebody records; it must not throw.
     virtual void telemetry(std::string name, std::function<double()> value) = 0;
 
+    /// Whether the run is to end now. A module may then give up a frame that would take long: it throws
+    /// Fault(stopped) in run(), the state at the frame's start is kept, and the run ends as it would have
+    /// before that frame. False outside of run().
+    virtual bool stop_asked() const = 0;
+
     /// A stream of this instance's own: independent of every other name and instance.
     RandomStream random(std::string_view stream) const {
         return {scene().seed, instance_name() + "/" + std::string(stream)};

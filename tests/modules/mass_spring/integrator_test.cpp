@@ -125,6 +125,27 @@ TEST_CASE("while a step has no reason to change, its bits do not either", "[unit
     }
 }
 
+TEST_CASE("steps are taken from a budget, and end where it does", "[unit]") {
+    for (const MethodInfo& info : methods()) {
+        INFO(info.name);
+        bodies::Body body = bodies::ragged_web(0.1);
+        SpringSystem system(body.network, nullptr);
+        Integrator integrator(system, info);
+        StepBudget budget(7);
+        CHECK(integrator.advance(body.x, body.v, 1e-3, 4, budget));
+        CHECK(budget.taken() == 4);
+        CHECK_FALSE(integrator.advance(body.x, body.v, 1e-3, 4, budget));
+        CHECK(budget.taken() == 7);
+        if (info.embedded_order == 0) continue;
+        int asked = 0;
+        const ControlledRun run =
+            integrator.advance_within(body.x, body.v, 1, 1e-9, 1e-3, {1000000, [&] { return ++asked > 5; }});
+        CHECK_FALSE(run.finished);
+        CHECK(run.stopped);
+        CHECK(run.steps == 5);
+    }
+}
+
 TEST_CASE("steps that are too many end the run, not the program", "[extreme]") {
     bodies::Body body = bodies::oscillator(1e-6, 1e6);
     body.x[1].x = 1.5;

@@ -291,6 +291,65 @@ TEST_CASE("within a tolerance the method chooses its steps, and goes on with the
     CHECK(bodies::same_bits(body.v, other.v));
 }
 
+TEST_CASE("parts that a step is divided into count among the steps of a frame", "[unit]") {
+    // A thread as stiff as silk, laid shorter than it is, moves too far in a second for Newton's method.
+    const Body start = bodies::hanging_thread(20, 0.19, 0.20, 1e-5, 600);
+    constexpr double kFrame = 4;
+    const auto run_frame = [&](Body& body, std::int64_t most) {
+        SpringSystem system(body.network, nullptr);
+        system.set_surroundings({{0, -9.81, 0}, 0, {}});
+        SimulationSettings settings = settings_for("tr_bdf2", 1, OnUnstable::as_asked);
+        settings.max_substeps = most;
+        Simulation run(system, settings, kFrame, body.x, body.v);
+        run.advance(0, 0);
+        return run.steps();
+    };
+    Body whole = start;
+    const std::uint64_t taken = run_frame(whole, 100000);
+    CHECK(taken > 8);  // more than one of the four was divided
+    Body just = start;
+    CHECK(run_frame(just, static_cast<std::int64_t>(taken)) == taken);
+    CHECK(bodies::same_bits(just.x, whole.x));
+
+    Body refused = start;
+    CHECK(sentence_of([&] { run_frame(refused, 8); }) ==
+          "frame 0 at t = 0 s was given up after 8 steps and parts of steps: tr_bdf2 divides those of 1 s in "
+          "which "
+          "it does not find the motion; expected at most 8 in all; the state at t = 0 s is kept; ask for a "
+          "shorter "
+          "step, or lower stiffness and loads");
+    CHECK(bodies::same_bits(refused.x, start.x));
+    CHECK(bodies::same_bits(refused.v, start.v));
+}
+
+TEST_CASE("a frame is given up soon after a stop was asked, with the state of its start", "[unit]") {
+    for (const double tolerance : {0.0, 1e-9}) {
+        CAPTURE(tolerance);
+        Body body = bodies::oscillator(0.01, 25);
+        body.x[1].x = 1.1;
+        SpringSystem system(body.network, nullptr);
+        SimulationSettings settings = settings_for("tsit5", 1e-4, OnUnstable::stop);
+        settings.tolerance = tolerance;
+        int asked = 0;
+        settings.stop_asked = [&] { return ++asked > 50; };
+        Simulation run(system, settings, 1, body.x, body.v);
+        const Body before = body;
+        FaultKind kind = FaultKind::internal;
+        std::string sentence;
+        try {
+            run.advance(3, 3);
+        } catch (const Fault& fault) {
+            kind = fault.kind();
+            sentence = fault.what();
+        }
+        CHECK(kind == FaultKind::stopped);
+        CHECK(sentence == "frame 3 at t = 3 s was given up, as was asked; the state at t = 3 s is kept");
+        CHECK(asked == 51);
+        CHECK(bodies::same_bits(body.x, before.x));
+        CHECK(bodies::same_bits(body.v, before.v));
+    }
+}
+
 TEST_CASE("a tolerance that no step keeps ends the run with the state it had", "[extreme]") {
     Body body = bodies::oscillator(0.01, 25);
     body.x[1].x = 1.1;
