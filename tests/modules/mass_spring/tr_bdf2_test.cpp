@@ -63,6 +63,7 @@ public:
                        std::span<double> a) noexcept override {
         a[0] = 0;
     }
+    void kick_and_drift(std::span<double>, std::span<double>, double, double) noexcept override {}
     double spectral_radius() override { return 1; }
     bool prepare(std::span<const double>, double c, double, Tangent) override { return c <= largest_c_; }
     void solve(std::span<const double> r, std::span<double> u) override { u[0] = r[0]; }
