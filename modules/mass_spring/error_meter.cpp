@@ -16,9 +16,9 @@ double largest_distance(std::span<const Vec3> a, std::span<const Vec3> b) noexce
 
 }  // namespace
 
-bool ErrorMeter::samples(std::uint64_t frame) noexcept {
+bool ErrorMeter::wants(std::uint64_t frame) const noexcept {
     constexpr std::uint64_t kInterval = 64;
-    return frame % kInterval == 0 || (frame < kInterval && std::has_single_bit(frame));
+    return samples_ == 0 || frame % kInterval == 0 || (frame < kInterval && std::has_single_bit(frame));
 }
 
 void ErrorMeter::add(std::span<const Vec3> whole, std::span<const Vec3> halved, int order) noexcept {

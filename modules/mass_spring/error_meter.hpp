@@ -17,7 +17,8 @@ public:
     /// `judge`: the other method by which frames are redone; empty: at half the step.
     explicit ErrorMeter(std::string_view judge = {}) noexcept : judge_(judge) {}
 
-    static bool samples(std::uint64_t frame) noexcept;
+    /// Whether a frame of that index is to be redone: always where none was yet, as after a restart.
+    bool wants(std::uint64_t frame) const noexcept;
     /// Positions at the frame's end, m, with steps of h and of h/2. By Richardson, the error of the former is
     /// their difference times 2^p/(2^p - 1), p the order of convergence.
     void add(std::span<const Vec3> whole, std::span<const Vec3> halved, int order) noexcept;

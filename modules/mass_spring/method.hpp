@@ -38,6 +38,9 @@ struct MethodInfo {
     int evaluations = 0;     ///< of the forces, per step that follows another; 0: as many as it takes
     std::unique_ptr<Method> (*make)(std::size_t length);
     bool undamped = false;  ///< takes systems whose springs are not damped, which drag may be all the same
+    /// h omega of the first resonance, in which undamped modes grow although faster ones do not; 0: there is
+    /// none.
+    double resonance = 0;
     /// The method that tells how far this one is off, where half the step would not: empty for those that
     /// converge to the motion of the equations with no more ado.
     std::string_view judge{};

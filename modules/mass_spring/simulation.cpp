@@ -189,7 +189,7 @@ void Simulation::advance_in_equal_steps(std::uint64_t frame, double time) {
     error_.count_frame();
     lost_.count_frame();
     system_->get_creep(end_creep_);
-    if (ErrorMeter::samples(frame)) measure_error(count);
+    if (error_.wants(frame)) measure_error(count);
     if (LostVibrations::samples(frame)) measure_lost_vibrations(count);
     std::copy(end_creep_.begin(), end_creep_.end(), creep_.begin());
 }

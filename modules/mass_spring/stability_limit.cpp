@@ -88,9 +88,13 @@ double stability_limit(const MethodInfo& method, double angular_frequency, doubl
     Oscillator oscillator(angular_frequency / rate, damping_rate / rate,
                           std::max(rate, spectral_radius) / rate);
     if (!is_stable(*stepper, oscillator, kFirst)) return 0;
+    // Too narrow for the scan to find.
+    const double resonant =
+        method.resonance > 0 && angular_frequency > 0 ? method.resonance * rate / angular_frequency : kInfinite;
     double stable = kFirst;
     while (is_stable(*stepper, oscillator, stable * kGrowth)) {
         stable *= kGrowth;
+        if (stable > resonant) return resonant / rate;
         if (stable > kLast) return kInfinite;
     }
     double unstable = stable * kGrowth;
@@ -98,7 +102,7 @@ double stability_limit(const MethodInfo& method, double angular_frequency, doubl
         const double middle = stable + (unstable - stable) / 2;
         (is_stable(*stepper, oscillator, middle) ? stable : unstable) = middle;
     }
-    return stable / rate;
+    return std::min(stable, resonant) / rate;
 }
 
 }  // namespace orbweaver::mass_spring

@@ -5,8 +5,8 @@
 // the methods' stability functions (E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, IV.2),
 // of velocity Verlet's and symplectic Euler's one-step matrices, and of RKC's 2/3 (s^2 - 1)(1 - 2/15 2/13) in
 // its most stages (Sommeijer, Shampine and Verwer 1998). Of SRKN 11 b they were worked out in 40 digits from
-// its coefficients: where the one-step matrix has a trace of 2, and where drifts under drag, some of them
-// backwards, no longer shrink velocities.
+// its coefficients: where the one-step matrix has a trace of 2 for good beyond its resonances, and where drifts
+// under drag, some of them backwards, no longer shrink velocities.
 
 #include <catch2/catch.hpp>
 #include <cmath>

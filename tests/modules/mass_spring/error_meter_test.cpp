@@ -22,11 +22,24 @@ TEST_CASE("a sample is Richardson's estimate and stands for the frames before it
 }
 
 TEST_CASE("frames are sampled at powers of two, then every 64", "[unit]") {
+    ErrorMeter meter;
+    const std::vector<Vec3> whole{{1, 0, 0}};
     std::vector<std::uint64_t> sampled;
     for (std::uint64_t i = 0; i < 200; ++i) {
-        if (ErrorMeter::samples(i)) sampled.push_back(i);
+        meter.count_frame();
+        if (!meter.wants(i)) continue;
+        meter.add(whole, whole, 1);
+        sampled.push_back(i);
     }
     CHECK(sampled == std::vector<std::uint64_t>{0, 1, 2, 4, 8, 16, 32, 64, 128, 192});
+}
+
+TEST_CASE("a run that was restored samples its first frame, whatever its number", "[unit]") {
+    ErrorMeter meter;
+    CHECK(meter.wants(67));
+    meter.count_frame();
+    meter.add(std::vector<Vec3>{{1, 0, 0}}, std::vector<Vec3>{{1, 1e-6, 0}}, 1);
+    CHECK_FALSE(meter.wants(68));
 }
 
 TEST_CASE("a judge tells errors of position, and of velocity as a way, and what cannot be redone is not known",
