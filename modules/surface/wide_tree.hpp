@@ -50,6 +50,9 @@ struct WideFrame {
     double size = 1;  ///< m, half the largest extent
 };
 
+/// Of the triangles' own bounds; size 1 when they have no extent.
+WideFrame frame_of(const TriangleSet& set) noexcept;
+
 /// A tree ready to be asked: spans of a baked file, or of WideTreeData. Node 0 is the root.
 struct WideTree {
     WideFrame frame;

@@ -39,20 +39,6 @@ struct Range {
     int depth = 0;
 };
 
-WideFrame frame_of(const TriangleSet& set) {
-    constexpr double kInfinite = std::numeric_limits<double>::infinity();
-    Vec3 low{kInfinite, kInfinite, kInfinite}, high = -low;
-    for (const Corners& corners : set.triangles)
-        for (const std::uint32_t v : corners) {
-            const Vec3& p = set.vertices[v];
-            low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-            high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-        }
-    const Vec3 half = 0.5 * (high - low);
-    const double size = std::max({half.x, half.y, half.z});
-    return {low + half, size > 0 ? size : 1};
-}
-
 class Builder {
 public:
     explicit Builder(const TriangleSet& set) : set_(set), order_(set.triangles.size()) {
@@ -205,6 +191,20 @@ private:
 };
 
 }  // namespace
+
+WideFrame frame_of(const TriangleSet& set) noexcept {
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    Vec3 low{kInfinite, kInfinite, kInfinite}, high = -low;
+    for (const Corners& corners : set.triangles)
+        for (const std::uint32_t v : corners) {
+            const Vec3& p = set.vertices[v];
+            low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+            high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+        }
+    const Vec3 half = 0.5 * (high - low);
+    const double size = std::max({half.x, half.y, half.z});
+    return {low + half, size > 0 ? size : 1};
+}
 
 WideTreeData build_wide_tree(const TriangleSet& set) {
     if (set.triangles.size() >= (1U << kLeafFirstBits))
