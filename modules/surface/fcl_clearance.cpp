@@ -28,6 +28,23 @@ Vec3 unscaled(const WideFrame& frame, const fcl::Vector3d& p) noexcept {
     return frame.middle + frame.size * Vec3{p[0], p[1], p[2]};
 }
 
+/// The point of a body that is nearest to `p`. FCL gives a body's own nearest point in one frame for one pair
+/// of shapes and in another for the next, so it is not asked for it.
+Vec3 nearest_on(const ProbeBody& body, const Vec3& p) noexcept {
+    const Vec3 from = p - body.center;
+    const auto within = [&](const Vec3& axis, double half) {
+        return std::clamp(dot(from, axis), -half, half) * axis;
+    };
+    if (body.shape == ProbeBody::Shape::box) {
+        const auto& [x, y, z] = body.axes;
+        return body.center + within(x, body.size.x / 2) + within(y, body.size.y / 2) +
+               within(z, body.size.z / 2);
+    }
+    const bool round = body.shape == ProbeBody::Shape::sphere;
+    const Vec3 core = body.center + (round ? Vec3{} : within(body.axes[2], body.size.z / 2));
+    return core + body.size.x * unit(p - core);
+}
+
 /// A body as FCL has it, in a frame's units.
 class ScaledBody {
 public:
@@ -81,14 +98,13 @@ Clearance ask(const WideFrame& frame, const ScaledBody& body, const fcl::Collisi
     constexpr double kTolerance = 1e-10;  // of the frame's size
     request.distance_tolerance = kTolerance;
     fcl::DistanceResultd result(std::min(reach / frame.size, std::numeric_limits<double>::max()));
-    fcl::distance(body.shape(), body.pose(), other, pose, request, result);
+    fcl::distance(other, pose, body.shape(), body.pose(), request, result);
     if (result.o1 == nullptr) return {};
     Clearance clearance;
     clearance.answer = Answer::found;
     if (!(result.min_distance > 0)) return clearance;
     clearance.distance = result.min_distance * frame.size;
-    clearance.on_body = unscaled(frame, result.nearest_points[0]);
-    clearance.on_other = unscaled(frame, result.nearest_points[1]);
+    clearance.on_other = unscaled(frame, result.nearest_points[0]);
     return clearance;
 }
 
@@ -115,7 +131,9 @@ FclClearance::~FclClearance() = default;
 
 Clearance FclClearance::clearance(const ProbeBody& body, double reach) const noexcept try {
     if (!is_sound(body) || !(reach >= 0)) return answer(Answer::refused);
-    return ask(frame_, ScaledBody(frame_, body), &model_->boxes, Pose::Identity(), reach);
+    Clearance found = ask(frame_, ScaledBody(frame_, body), &model_->boxes, Pose::Identity(), reach);
+    if (found.distance > 0) found.on_body = nearest_on(body, found.on_other);
+    return found;
 } catch (const std::exception&) {
     return answer(Answer::failed);
 }
@@ -126,8 +144,10 @@ Clearance body_clearance(const ProbeBody& body, const ProbeBody& other) noexcept
     if (!is_sound(body) || !is_sound(other)) return answer(Answer::refused);
     const WideFrame frame{body.center, std::max(extent(body), extent(other))};
     const ScaledBody second(frame, other);
-    return ask(frame, ScaledBody(frame, body), second.shape(), second.pose(),
-               std::numeric_limits<double>::infinity());
+    Clearance found = ask(frame, ScaledBody(frame, body), second.shape(), second.pose(),
+                          std::numeric_limits<double>::infinity());
+    if (found.distance > 0) found.on_body = nearest_on(body, found.on_other);
+    return found;
 } catch (const std::exception&) {
     return answer(Answer::failed);
 }

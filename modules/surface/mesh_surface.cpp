@@ -59,8 +59,8 @@ SurfaceHit MeshSurface::closest_point(const Vec3& point, double reach) const noe
     return surface::closest_point(*tree, triangles_of(mesh_), point, reach);
 }
 
-Underfoot MeshSurface::underfoot(std::uint32_t last, const Stance& stance) const noexcept {
-    const Underfoot found = surface::underfoot(mesh_, tree_, last, stance);
+Underfoot MeshSurface::underfoot(const Stance& stance) const noexcept {
+    const Underfoot found = surface::underfoot(mesh_, tree_, stance);
     return noted(found, found.hit.answer);
 }
 

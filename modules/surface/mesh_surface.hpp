@@ -31,7 +31,7 @@ public:
     SurfaceGrip grip(std::uint32_t face) const noexcept override;
     SurfaceHit first_hit(const SurfaceRay& ray) const noexcept override;
     SurfaceHit closest_point(const Vec3& point, double reach) const noexcept override;
-    Underfoot underfoot(std::uint32_t last, const Stance& stance) const noexcept override;
+    Underfoot underfoot(const Stance& stance) const noexcept override;
     SurfaceStep place(const SurfacePoint& at, const Vec3& up, const Vec3& forward) const noexcept override;
     SurfaceStep step(const Footing& from, double length) const noexcept override;
     SurfaceStride stride(const Footing& from, double length,

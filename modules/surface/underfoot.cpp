@@ -19,7 +19,7 @@ constexpr std::size_t kMostAround = 256;  // faces of those rings
 
 bool is_sound(const Stance& stance) noexcept {
     return is_finite(stance.position) && is_finite(stance.up) && is_finite(stance.forward) &&
-           stance.up != Vec3{} && stance.reach >= 0;
+           stance.up != Vec3{} && (stance.side == 1 || stance.side == -1) && stance.reach >= 0;
 }
 
 /// sin and cos of the scan's angles: 15, 30 ... 165 degrees from straight down.
@@ -45,7 +45,8 @@ public:
     Search(const SurfaceMesh& mesh, const ReadyTree& tree, const Stance& stance) noexcept
         : mesh_(mesh), tree_(tree), stance_(stance), up_(unit(stance.up)), down_(ray(-up_)) {}
 
-    Underfoot run(std::uint32_t last) noexcept {
+    Underfoot run() noexcept {
+        const std::uint32_t last = stance_.last;
         if (last < mesh_.triangles.size()) {
             if (walk(last)) return {hit_, by_};
             if (search_rings(last)) return {hit_, FoundBy::rings};
@@ -64,8 +65,9 @@ private:
     /// other side than its neighbour lies under a fold: there the walk ends.
     bool walk(std::uint32_t face) noexcept {
         const WatertightRay tight(down_);
-        int side = dot(area_normal(triangles_of(mesh_).corners(face)), up_) < 0 ? -1 : 1;
+        int side = stance_.side;
         for (int i = 0; i < kMostSteps; ++i) {
+            if (side * dot(area_normal(triangles_of(mesh_).corners(face)), up_) <= 0) return false;
             NearestCrossing nearest(stance_.reach);
             nearest.try_face(tight, mesh_.vertices, mesh_.triangles[face], face);
             if (nearest.face() != kNoFace) {
@@ -79,7 +81,6 @@ private:
             if (!mesh::is_neighbour(code)) return false;
             face = mesh::across_triangle(code);
             if (mesh::is_flipped(code)) side = -side;
-            if (side * dot(area_normal(triangles_of(mesh_).corners(face)), up_) <= 0) return false;
         }
         return false;
     }
@@ -160,10 +161,9 @@ private:
 
 }  // namespace
 
-Underfoot underfoot(const SurfaceMesh& mesh, const ReadyTree& tree, std::uint32_t last,
-                    const Stance& stance) noexcept {
+Underfoot underfoot(const SurfaceMesh& mesh, const ReadyTree& tree, const Stance& stance) noexcept {
     if (!is_sound(stance)) return {kRefusedHit, FoundBy::current};
-    return Search(mesh, tree, stance).run(last);
+    return Search(mesh, tree, stance).run();
 }
 
 }  // namespace orbweaver::surface

@@ -14,7 +14,6 @@ namespace orbweaver::surface {
 /// then 4. rays that scan back and forth along the forward axis, and from side to side, at growing angles, over
 /// the same rings (the same, for edges that drop away under the body); then 5. the ray, the scan and the
 /// nearest point over the whole surface, which asks for the tree.
-Underfoot underfoot(const mesh::SurfaceMesh& mesh, const ReadyTree& tree, std::uint32_t last,
-                    const Stance& stance) noexcept;
+Underfoot underfoot(const mesh::SurfaceMesh& mesh, const ReadyTree& tree, const Stance& stance) noexcept;
 
 }  // namespace orbweaver::surface

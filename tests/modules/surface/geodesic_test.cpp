@@ -144,7 +144,7 @@ TEST_CASE("where three faces meet in an edge one stays on one's own side", "[uni
     CHECK(dot(other.end.up, {1, 0, 0}) > 0.8);
 }
 
-TEST_CASE("what means nothing is refused", "[unit]") {
+TEST_CASE("a footing that means nothing is refused", "[unit]") {
     const auto cube = built(mesh::cube(2, 2));
     const auto mesh = cube.view();
     const Footing sound = standing(mesh, {0.2, 0.1, 1}, {0, 0, 1}, {1, 0, 0});

@@ -43,10 +43,14 @@ struct SurfaceHit {
 
 /// A body that wants to know the polygon under it.
 struct Stance {
-    Vec3 position;                                           ///< m, the body's origin, above the surface
-    Vec3 up;                                                 ///< unit, away from the surface
-    Vec3 forward;                                            ///< unit, across `up`
-    double reach = std::numeric_limits<double>::infinity();  ///< m, how far below the surface may be
+    Vec3 position;                 ///< m, the body's origin, above the surface
+    Vec3 up;                       ///< away from the surface
+    Vec3 forward;                  ///< along the surface
+    std::uint32_t last = kNoFace;  ///< the face that it was on when it last asked; kNoFace: unknown
+    int side = 1;                  ///< of that face: 1 where its normal points, -1 its back
+    /// m, how far below the surface may be: a little more than the height at which the body is carried. What lies
+    /// deeper, beyond a thin wall or under a fold, is not underfoot.
+    double reach = std::numeric_limits<double>::infinity();
 };
 
 /// What found the polygon, from the cheapest to the dearest.
@@ -136,8 +140,8 @@ public:
     /// The point of the surface nearest to `point`, if within `reach` (m).
     virtual SurfaceHit closest_point(const Vec3& point, double reach) const noexcept = 0;
 
-    /// The face below a body that was last above `last` (kNoFace: unknown): see modules/surface/README.md.
-    virtual Underfoot underfoot(std::uint32_t last, const Stance& stance) const noexcept = 0;
+    /// The face below a body, cheapest way first: see modules/surface/README.md.
+    virtual Underfoot underfoot(const Stance& stance) const noexcept = 0;
 
     /// Somebody at `at` whose up is nearest to `up`, facing as nearly along `forward` as the face allows.
     virtual SurfaceStep place(const SurfacePoint& at, const Vec3& up, const Vec3& forward) const noexcept = 0;
