@@ -4,6 +4,8 @@
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
+#include <assimp/DefaultIOSystem.h>
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cerrno>
 #include <cstring>
@@ -11,7 +13,7 @@
 #include <fstream>
 
 #include "orbweaver/fault.hpp"
-#include "raw_mesh_bytes.hpp"
+#include "imported_mesh_bytes.hpp"
 #include "surface_mesh.hpp"
 
 namespace orbweaver {
@@ -73,8 +75,25 @@ private:
     RawMesh raw_;
 };
 
-RawMesh import_here(const std::string& path) {
+/// Files as always, with a list of those that were read.
+class RecordingFiles : public Assimp::DefaultIOSystem {
+public:
+    explicit RecordingFiles(std::vector<std::string>& read) : read_(read) {}
+    Assimp::IOStream* Open(const char* path, const char* mode) override {
+        Assimp::IOStream* stream = DefaultIOSystem::Open(path, mode);
+        if (stream != nullptr && std::find(read_.begin(), read_.end(), path) == read_.end())
+            read_.emplace_back(path);
+        return stream;
+    }
+
+private:
+    std::vector<std::string>& read_;
+};
+
+ImportedMesh import_here(const std::string& path) {
+    std::vector<std::string> read;
     Assimp::Importer importer;
+    importer.SetIOHandler(new RecordingFiles(read));  // which the importer owns
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                                 aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
                                     aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
@@ -85,7 +104,8 @@ RawMesh import_here(const std::string& path) {
         throw Fault(FaultKind::invalid,
                     fmt::format("{}: cannot be imported: {}; export the mesh again, or in another format", path,
                                 importer.GetErrorString()));
-    return Flattener(*scene).flatten();
+    std::erase(read, path);
+    return {Flattener(*scene).flatten(), std::move(read)};
 }
 
 void check_source(const std::string& path) {
@@ -105,9 +125,10 @@ void check_source(const std::string& path) {
 
 }  // namespace
 
-RawMesh import_mesh(const std::string& path, const ChildLimits& limits) {
+ImportedMesh import_mesh(const std::string& path, const ChildLimits& limits) {
     check_source(path);
-    return raw_mesh_from_bytes(run_in_child(path, limits, [&] { return to_bytes(import_here(path)); }), path);
+    return imported_mesh_from_bytes(run_in_child(path, limits, [&] { return to_bytes(import_here(path)); }),
+                                    path);
 }
 
 }  // namespace orbweaver

@@ -38,8 +38,8 @@ void restrict_child(const ChildLimits& limits) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     limit(RLIMIT_FSIZE, 0);
     limit(RLIMIT_CORE, 0);
-#if !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)  // which reserve terabytes: there the watch is alone
+    // Sanitizers reserve terabytes: under them only the watch ends what grows.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
     limit(RLIMIT_AS, 2 * limits.memory);
 #endif
     for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGPIPE, SIGXFSZ, SIGINT, SIGTERM})

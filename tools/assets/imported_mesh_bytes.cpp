@@ -1,4 +1,4 @@
-#include "raw_mesh_bytes.hpp"
+#include "imported_mesh_bytes.hpp"
 
 #include <cstring>
 
@@ -15,6 +15,13 @@ void put(std::string& bytes, const std::vector<T>& values) {
     bytes.append(reinterpret_cast<const char*>(values.data()), count * sizeof(T));
 }
 
+/// Each ended by a zero.
+void put_texts(std::string& bytes, const std::vector<std::string>& texts) {
+    std::vector<char> all;
+    for (const std::string& text : texts) all.insert(all.end(), text.c_str(), text.c_str() + text.size() + 1);
+    put(bytes, all);
+}
+
 class Reader {
 public:
     Reader(std::string_view bytes, const std::string& name) : rest_(bytes), name_(name) {}
@@ -26,6 +33,12 @@ public:
         values.resize(count);
         if (count > 0) std::memcpy(values.data(), rest_.data(), count * sizeof(T));
         rest_.remove_prefix(count * sizeof(T));
+    }
+    void take_texts(std::vector<std::string>& texts) {
+        std::vector<char> all;
+        take(all);
+        for (std::size_t begin = 0; begin < all.size(); begin += texts.back().size() + 1)
+            texts.emplace_back(all.data() + begin, ::strnlen(all.data() + begin, all.size() - begin));
     }
     void finish() const {
         if (!rest_.empty()) refuse();
@@ -50,33 +63,28 @@ private:
 
 }  // namespace
 
-std::string to_bytes(const mesh::RawMesh& raw) {
+std::string to_bytes(const ImportedMesh& mesh) {
     std::string bytes;
-    std::vector<char> names;
-    for (const std::string& name : raw.material_names)
-        names.insert(names.end(), name.c_str(), name.c_str() + name.size() + 1);
-    put(bytes, raw.points);
-    put(bytes, raw.corners);
-    put(bytes, raw.first);
-    put(bytes, raw.material);
-    put(bytes, names);
+    put(bytes, mesh.raw.points);
+    put(bytes, mesh.raw.corners);
+    put(bytes, mesh.raw.first);
+    put(bytes, mesh.raw.material);
+    put_texts(bytes, mesh.raw.material_names);
+    put_texts(bytes, mesh.companions);
     return bytes;
 }
 
-mesh::RawMesh raw_mesh_from_bytes(std::string_view bytes, const std::string& name) {
-    mesh::RawMesh raw;
-    std::vector<char> names;
+ImportedMesh imported_mesh_from_bytes(std::string_view bytes, const std::string& name) {
+    ImportedMesh mesh;
     Reader reader(bytes, name);
-    reader.take(raw.points);
-    reader.take(raw.corners);
-    reader.take(raw.first);
-    reader.take(raw.material);
-    reader.take(names);
+    reader.take(mesh.raw.points);
+    reader.take(mesh.raw.corners);
+    reader.take(mesh.raw.first);
+    reader.take(mesh.raw.material);
+    reader.take_texts(mesh.raw.material_names);
+    reader.take_texts(mesh.companions);
     reader.finish();
-    for (std::size_t begin = 0; begin < names.size(); begin += raw.material_names.back().size() + 1)
-        raw.material_names.emplace_back(names.data() + begin,
-                                        ::strnlen(names.data() + begin, names.size() - begin));
-    return raw;
+    return mesh;
 }
 
 }  // namespace orbweaver
