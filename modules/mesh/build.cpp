@@ -162,7 +162,6 @@ SurfaceMeshData build_surface_mesh(const RawMesh& raw, const Recipe& recipe, con
     mesh.vertices = number_vertices(raw, cut.triangles);
     mesh.triangles = std::move(cut.triangles);
     mesh.polygon = std::move(cut.polygon);
-    mesh.bounds = bounds_of(mesh.vertices);
     validation.unused_points = raw.points.size() - validation.welded_points - mesh.vertices.size();
     set_properties(raw, recipe, name, mesh);
     join(mesh, validation);
@@ -185,6 +184,9 @@ void join(SurfaceMeshData& mesh, Validation& validation) {
     mesh.fan_first = std::move(adjacency.fan_first);
     mesh.fan = std::move(adjacency.fan);
     mesh.shell = std::move(shells.shell);
+    mesh.bounds = bounds_of(mesh.vertices);
+    validation.nonmanifold_vertices = 0;
+    validation.first_nonmanifold_vertex = kNone;
     find_nonmanifold_vertices(mesh.view(), validation);
     validation.first_border = first_with(mesh.across, kBorder);
     validation.first_nonmanifold = first_with(mesh.across, kNonManifold);

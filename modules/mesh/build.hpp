@@ -24,8 +24,8 @@ inline constexpr std::uint32_t kBuilderVersion = 1;
 SurfaceMeshData build_surface_mesh(const RawMesh& raw, const Recipe& recipe, const std::string& name,
                                    Validation& validation);
 
-/// Fills in what follows from the triangles of a mesh alone: neighbours, rings, fans and shells, and what is to
-/// be said of them. Its vertices are all used, its triangles have three different ones each.
+/// Fills in what follows from the triangles of a mesh alone: neighbours, rings, fans, shells and bounds, and
+/// what is to be said of them. Its vertices are all used, its triangles have three different ones each.
 void join(SurfaceMeshData& mesh, Validation& validation);
 
 }  // namespace orbweaver::mesh
