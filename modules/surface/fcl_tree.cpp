@@ -26,9 +26,11 @@ public:
         const double d[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
         double farthest = 0;
         for (int i = 0; i < 3; ++i)
-            farthest = std::max({farthest, std::abs(all.min_[i] - o[i]), std::abs(all.max_[i] - o[i])});
-        constexpr double kRoundings = 16;
-        const double slack = kRoundings * std::numeric_limits<double>::epsilon() * farthest;
+            farthest = std::max(
+                {farthest, std::abs(all.min_[i] - o[i]), std::abs(all.max_[i] - o[i]), std::abs(o[i])});
+        constexpr double kAxes =
+            12;  // a corner's grain is of three distances and three coordinates, here doubled
+        const double slack = kAxes * kGrain * farthest;
         for (int i = 0; i < 3; ++i) {
             constexpr double kLargest = 1e200;  // instead of infinity, which 0 times is nothing
             backwards_[i] = std::signbit(d[i]);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "manifest_text.hpp"
+#include "mesh_cache.hpp"
 #include "mesh_file.hpp"
 #include "mesh_surface.hpp"
 #include "orbweaver/entry.hpp"
@@ -88,13 +89,7 @@ public:
 
 private:
     void open(const Options& options) {
-        const std::string& path = options.text("mesh");
-        if (!is_baked_file(path))
-            throw Fault(FaultKind::invalid, path +
-                                                ": is not baked; expected a mesh that was, so run "
-                                                "orbweaver-assets adjacency " +
-                                                path + " -o " + path + ".baked, and name that");
-        file_.emplace(path, mesh::kMeshType, mesh::kMeshVersion);
+        file_.emplace(mesh::open_mesh(options.text("mesh")));
         placed_.emplace(*file_, given<double>(options, "size", &Options::number), options.vector("position"));
         surface_.emplace(placed_->mesh(), placed_->tree(),
                          GripOverride{given<double>(options, "friction", &Options::number),

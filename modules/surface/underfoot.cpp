@@ -70,7 +70,7 @@ private:
             if (side * dot(area_normal(triangles_of(mesh_).corners(face)), up_) <= 0) return false;
             NearestCrossing nearest(stance_.reach);
             nearest.try_face(tight, mesh_.vertices, mesh_.triangles[face], face);
-            if (nearest.face() != kNoFace) {
+            if (nearest.crosses()) {
                 hit_ = nearest.hit(triangles_of(mesh_));
                 by_ = i == 0 ? FoundBy::current : FoundBy::walk;
                 return true;

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
-#include <utility>
 
 #include "triangle_set.hpp"
 
@@ -13,6 +14,9 @@ namespace orbweaver::surface {
 inline bool is_sound(const SurfaceRay& ray) noexcept {
     return is_finite(ray.origin) && is_finite(ray.direction) && ray.direction != Vec3{} && ray.reach >= 0;
 }
+
+/// Four units in the last place: how far a corner may be from where it was meant to be, of its largest number.
+inline constexpr double kGrain = 4 * std::numeric_limits<double>::epsilon();
 
 /// Where a ray meets a triangle: the weights of its corners, times a common factor `total`.
 struct Crossing {
@@ -24,7 +28,9 @@ struct Crossing {
 /// The ray-triangle test of Woop, Benthin and Wald (2013), in double: the ray is sheared on to the axis along
 /// which it is longest, where three edge functions say on which side of each edge it passes. What an edge's
 /// function says depends on its two ends alone and changes sign with their order, so that of the faces
-/// around an edge or a vertex at least one is hit.
+/// around an edge or a vertex at least one is hit. A ray that passes outside of an edge by no more than the
+/// rounding of the numbers it is made of is said to graze the triangle: so that one which is aimed at the rim
+/// of what it sees is not lost to the last bit of its direction.
 class WatertightRay {
 public:
     explicit WatertightRay(const SurfaceRay& ray) noexcept : origin_{ray.origin.x, ray.origin.y, ray.origin.z} {
@@ -38,17 +44,30 @@ public:
         scale_z_ = 1 / d[z_];
     }
 
+    enum class Meets : std::uint8_t { not_at_all, grazes, crosses };
+
     /// Whether the triangle is met, on either face, at a distance in [0, reach].
-    bool meets(std::span<const Vec3> vertices, const Corners& corners, double reach,
-               Crossing& out) const noexcept {
-        const Edges e = edges(vertices, corners);
-        if ((e.u < 0 || e.v < 0 || e.w < 0) && (e.u > 0 || e.v > 0 || e.w > 0)) return false;
-        const double total = e.u + e.v + e.w;
-        if (total == 0) return false;  // seen edge-on: its neighbours are met instead
+    Meets meets(std::span<const Vec3> vertices, const Corners& corners, double reach,
+                Crossing& out) const noexcept {
+        Edges e = edges(vertices, corners);
+        double total = e.u + e.v + e.w;
+        const double sign = total < 0 ? -1 : 1;
+        const double least = std::min({sign * e.u, sign * e.v, sign * e.w});
+        const bool grazes = least < 0;
+        if (grazes) {
+            constexpr double kWorthALook =
+                1e-6;  // of the triangle: rounding is far below, unless it is far away
+            if (least < -kWorthALook * sign * total || !touches(e, sign, vertices, corners))
+                return Meets::not_at_all;
+            for (double* each : {&e.u, &e.v, &e.w})
+                if (sign * *each < 0) *each = 0;
+            total = e.u + e.v + e.w;
+        }
+        if (total == 0) return Meets::not_at_all;  // seen edge-on: its neighbours are met instead
         const double distance = scale_z_ * (e.u * e.a_z + e.v * e.b_z + e.w * e.c_z) / total;
-        if (!(distance >= 0 && distance <= reach)) return false;
+        if (!(distance >= 0 && distance <= reach)) return Meets::not_at_all;
         out = {distance, e.u, e.v, e.w, total};
-        return true;
+        return grazes ? Meets::grazes : Meets::crosses;
     }
 
     /// The edge that the ray passes outside of by most, measured against the triangle's winding as the ray sees
@@ -69,6 +88,27 @@ private:
         double a_z, b_z, c_z;  // depth of the corners
     };
 
+    /// Whether the ray passes within rounding of an edge that it is outside of: each corner is known to a few
+    /// units in the last place of its own numbers and of its distance from the ray's origin.
+    bool touches(const Edges& e, double sign, std::span<const Vec3> vertices,
+                 const Corners& corners) const noexcept {
+        const double function[3] = {e.u, e.v, e.w};
+        double grain[3], sheared[3];
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto* p = reinterpret_cast<const double*>(&vertices[corners[i]]);
+            const double x = p[x_] - origin_[x_], y = p[y_] - origin_[y_], z = p[z_] - origin_[z_];
+            sheared[i] = std::abs(x - shear_x_ * z) + std::abs(y - shear_y_ * z);
+            grain[i] = kGrain * (std::abs(x) + std::abs(y) + std::abs(z) + std::abs(origin_[0]) +
+                                 std::abs(origin_[1]) + std::abs(origin_[2]));
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+            if (sign * function[i] < -(sheared[j] * grain[k] + sheared[k] * grain[j] + grain[j] * grain[k]))
+                return false;
+        }
+        return true;
+    }
+
     Edges edges(std::span<const Vec3> vertices, const Corners& corners) const noexcept {
         const auto* flat = reinterpret_cast<const double*>(vertices.data());
         const double* a = flat + 3 * std::size_t{corners[0]};
@@ -87,33 +127,41 @@ private:
 };
 
 /// The nearest crossing found so far; of equally near ones the face of the lowest number, whatever the order.
+/// What is only grazed counts when nothing is crossed.
 class NearestCrossing {
 public:
-    explicit NearestCrossing(double reach) noexcept : reach_(reach) {}
+    explicit NearestCrossing(double reach) noexcept
+        : crossed_{reach, kNoFace, {}}, grazed_{reach, kNoFace, {}} {}
 
     void try_face(const WatertightRay& ray, std::span<const Vec3> vertices, const Corners& corners,
                   std::uint32_t face) noexcept {
         Crossing crossing;
-        if (!ray.meets(vertices, corners, reach_, crossing)) return;
-        if (face_ != kNoFace && crossing.distance == reach_ && face > face_) return;
-        crossing_ = crossing;
-        face_ = face;
-        reach_ = crossing.distance;
+        const auto meets = ray.meets(vertices, corners, crossed_.reach, crossing);
+        if (meets == WatertightRay::Meets::not_at_all) return;
+        Nearest& nearest = meets == WatertightRay::Meets::crosses ? crossed_ : grazed_;
+        if (crossing.distance > nearest.reach || (crossing.distance == nearest.reach && face > nearest.face))
+            return;
+        nearest = {crossing.distance, face, crossing};
     }
 
-    double reach() const noexcept { return reach_; }
-    std::uint32_t face() const noexcept { return face_; }
+    bool crosses() const noexcept { return crossed_.face != kNoFace; }
+    /// Of the nearest crossing, or the reach that was given.
+    double reach() const noexcept { return crossed_.reach; }
 
     SurfaceHit hit(const TriangleSet& set) const noexcept {
-        if (face_ == kNoFace) return {};
-        const double t = crossing_.total;
-        return found_at(set, {face_, {crossing_.u / t, crossing_.v / t, crossing_.w / t}}, crossing_.distance);
+        const auto& [distance, face, crossing] = crosses() ? crossed_ : grazed_;
+        if (face == kNoFace) return {};
+        const double t = crossing.total;
+        return found_at(set, {face, {crossing.u / t, crossing.v / t, crossing.w / t}}, distance);
     }
 
 private:
-    double reach_;
-    std::uint32_t face_ = kNoFace;
-    Crossing crossing_;
+    struct Nearest {
+        double reach;
+        std::uint32_t face;
+        Crossing crossing;
+    };
+    Nearest crossed_, grazed_;
 };
 
 }  // namespace orbweaver::surface

@@ -28,7 +28,8 @@ struct BoxRay {
         const double d[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
         const double longest = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
         const double away = std::max({std::abs(o[0]), std::abs(o[1]), std::abs(o[2])}) + 1;
-        const double slack = 0x1p-20 + 0x1p-48 * away;
+        const double world = std::max({std::abs(ray.origin.x), std::abs(ray.origin.y), std::abs(ray.origin.z)});
+        const double slack = 0x1p-20 + 12 * kGrain * (away + world / frame.size);
         unit = frame.size / longest;
         double direction[3], enter = 0, leave = ray.reach / unit;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -87,7 +88,7 @@ private:
         const WideTriangle* each = tree_.triangles.data() + leaf_first(child);
         for (const WideTriangle* end = each + leaf_count(child); each != end; ++each)
             nearest_.try_face(ray_, set_.vertices, each->corners, each->face);
-        if (nearest_.face() != kNoFace) reach_ = box_.in_tree(nearest_.reach());
+        if (nearest_.crosses()) reach_ = box_.in_tree(nearest_.reach());
     }
 
     /// Pushes the children that the ray meets, the nearest last.

@@ -7,6 +7,7 @@
 #include "mesh_cache.hpp"
 #include "mesh_file.hpp"
 #include "orbweaver/fault.hpp"
+#include "tree_file.hpp"
 
 namespace orbweaver {
 
@@ -32,9 +33,11 @@ mesh::Validation bake_mesh(const std::string& source, const mesh::Recipe& recipe
         throw Fault(FaultKind::invalid, source + ": is baked already; name what it was made from");
     const ImportedMesh imported = import_mesh(source, limits);
     mesh::Validation validation;
-    const mesh::SurfaceMeshData surface = mesh::build_surface_mesh(imported.raw, recipe, source, validation);
+    const mesh::SurfaceMeshData built = mesh::build_surface_mesh(imported.raw, recipe, source, validation);
     BakedWriter writer(mesh::kMeshType, mesh::kMeshVersion, hash_file(source));
-    mesh::add_mesh(writer, surface.view(), validation);
+    mesh::add_mesh(writer, built.view(), validation);
+    const surface::WideTreeData tree = surface::build_wide_tree({built.vertices, built.triangles});
+    surface::add_tree(writer, tree);
     const auto companions = mesh::to_section(hash_companions(source, imported.companions));
     writer.add("companions", std::span<const char>(companions));
     writer.write(output);
