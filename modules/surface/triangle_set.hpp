@@ -34,7 +34,7 @@ inline Vec3 position_of(const TriangleSet& set, const SurfacePoint& at) noexcept
     return at.weights[0] * p[0] + at.weights[1] * p[1] + at.weights[2] * p[2];
 }
 
-/// Unit normal of a face that has an area. Scaled first: the squares of tiny edges would vanish.
+/// Unit normal of a face that has an area.
 Vec3 face_normal(const TriangleSet& set, std::uint32_t face) noexcept;
 
 /// Completes a hit of which the place and the distance are known.

@@ -4,7 +4,8 @@
 
 #include "balls.hpp"
 #include "fcl_tree.hpp"
-#include "meshes.hpp"
+#include "obj_mesh.hpp"
+#include "shapes.hpp"
 #include "watertight.hpp"
 #include "wide_tree.hpp"
 

@@ -3,7 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "meshes.hpp"
+#include "obj_mesh.hpp"
+#include "shapes.hpp"
 #include "wide_tree.hpp"
 
 using namespace orbweaver;

@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "geodesic.hpp"
-#include "meshes.hpp"
+#include "obj_mesh.hpp"
+#include "shapes.hpp"
 
 using namespace orbweaver;
 using namespace orbweaver::surface;

@@ -5,8 +5,9 @@
 #include <map>
 
 #include "geodesic.hpp"
-#include "meshes.hpp"
+#include "obj_mesh.hpp"
 #include "orbweaver/random.hpp"
+#include "shapes.hpp"
 
 using namespace orbweaver;
 using namespace orbweaver::surface;

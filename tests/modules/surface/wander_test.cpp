@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "geodesic.hpp"
-#include "meshes.hpp"
+#include "obj_mesh.hpp"
 #include "orbweaver/random.hpp"
+#include "shapes.hpp"
 #include "wide_tree.hpp"
 
 using namespace orbweaver;

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 #include "build.hpp"
-#include "shapes.hpp"
 
 namespace orbweaver::surface::test {
 
@@ -18,8 +17,7 @@ inline mesh::SurfaceMeshData built(const mesh::RawMesh& raw) {
 /// Points and polygons of an OBJ file; everything else in it is passed over.
 inline mesh::RawMesh read_obj(const std::string& path) {
     std::ifstream file(path);
-    INFO(path);
-    REQUIRE(file);
+    if (!file) throw std::runtime_error(path + " is missing");
     mesh::RawMesh raw;
     raw.material_names = {"obj"};
     for (std::string line; std::getline(file, line);) {
