@@ -69,7 +69,9 @@ public:
             else
                 open(tree_.nodes[next.child]);
         }
-        return at_.face == kNoFace ? SurfaceHit{} : found_at(set_, at_, best_);
+        SurfaceHit hit;
+        if (at_.face != kNoFace) fill_in(hit, set_, at_, best_);
+        return hit;
     }
 
 private:

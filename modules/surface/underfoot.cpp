@@ -18,7 +18,8 @@ constexpr int kRings = 2;                 // around the last face
 constexpr std::size_t kMostAround = 256;  // faces of those rings
 
 bool is_sound(const Stance& stance) noexcept {
-    return is_finite(stance.position) && is_finite(stance.up) && is_finite(stance.forward) &&
+    const auto nothing = [](const Vec3& v) { return 0 * (v.x + v.y + v.z); };  // NaN for what is not finite
+    return nothing(stance.position) + nothing(stance.up) + nothing(stance.forward) == 0 &&
            stance.up != Vec3{} && (stance.side == 1 || stance.side == -1) && stance.reach >= 0;
 }
 
@@ -40,16 +41,42 @@ constexpr std::array<ScanAngle, 11> kScan = {{{kCos15, kSin15},
                                               {-kSqrt3 / 2, 0.5},
                                               {-kCos15, kSin15}}};
 
+/// The last face and those beyond the edges that the ray passes outside of. A face of which the ray would meet
+/// the other side lies under a fold: there the walk ends.
+bool walk(const SurfaceMesh& mesh, const Stance& stance, Underfoot& found) noexcept {
+    const WatertightRay tight({stance.position, -stance.up, stance.reach});
+    std::uint32_t face = stance.last;
+    int side = stance.side;
+    for (int i = 0; i < kMostSteps; ++i) {
+        const auto& c = mesh.triangles[face];
+        const Vec3& p = mesh.vertices[c[0]];
+        if (side * dot(cross(mesh.vertices[c[1]] - p, mesh.vertices[c[2]] - p), stance.up) <= 0) return false;
+        Crossing crossing;
+        if (tight.meets(mesh.vertices, mesh.triangles[face], stance.reach, crossing) ==
+            WatertightRay::Meets::crosses) {
+            fill_in(found.hit, triangles_of(mesh), face, crossing);
+            found.by = i == 0 ? FoundBy::current : FoundBy::walk;
+            return true;
+        }
+        const int edge = tight.outside_of(mesh.vertices, mesh.triangles[face]);
+        if (edge < 0) return false;
+        const std::uint32_t code = mesh.across[face][static_cast<std::size_t>(edge)];
+        if (!mesh::is_neighbour(code)) return false;
+        face = mesh::across_triangle(code);
+        if (mesh::is_flipped(code)) side = -side;
+    }
+    return false;
+}
+
 class Search {
 public:
     Search(const SurfaceMesh& mesh, const ReadyTree& tree, const Stance& stance) noexcept
-        : mesh_(mesh), tree_(tree), stance_(stance), up_(unit(stance.up)), down_(ray(-up_)) {}
+        : mesh_(mesh), tree_(tree), stance_(stance), up_(stance.up), down_(ray(-up_)) {}
 
+    /// Where the walk found nothing.
     Underfoot run() noexcept {
-        const std::uint32_t last = stance_.last;
-        if (last < mesh_.triangles.size()) {
-            if (walk(last)) return {hit_, by_};
-            if (search_rings(last)) return {hit_, FoundBy::rings};
+        if (stance_.last < mesh_.triangles.size()) {
+            if (search_rings(stance_.last)) return {hit_, FoundBy::rings};
             if (scan([&](const SurfaceRay& ray) { return nearest_around(ray, 0); }))
                 return {hit_, FoundBy::scan};
         }
@@ -59,30 +86,6 @@ public:
 private:
     SurfaceRay ray(const Vec3& direction) const noexcept {
         return {stance_.position, direction, stance_.reach};
-    }
-
-    /// The last face and those beyond the edges that the ray passes outside of. A face that is seen from the
-    /// other side than its neighbour lies under a fold: there the walk ends.
-    bool walk(std::uint32_t face) noexcept {
-        const WatertightRay tight(down_);
-        int side = stance_.side;
-        for (int i = 0; i < kMostSteps; ++i) {
-            if (side * dot(area_normal(triangles_of(mesh_).corners(face)), up_) <= 0) return false;
-            NearestCrossing nearest(stance_.reach);
-            nearest.try_face(tight, mesh_.vertices, mesh_.triangles[face], face);
-            if (nearest.crosses()) {
-                hit_ = nearest.hit(triangles_of(mesh_));
-                by_ = i == 0 ? FoundBy::current : FoundBy::walk;
-                return true;
-            }
-            const int edge = tight.outside_of(mesh_.vertices, mesh_.triangles[face]);
-            if (edge < 0) return false;
-            const std::uint32_t code = mesh_.across[face][static_cast<std::size_t>(edge)];
-            if (!mesh::is_neighbour(code)) return false;
-            face = mesh::across_triangle(code);
-            if (mesh::is_flipped(code)) side = -side;
-        }
-        return false;
     }
 
     /// Gathers the faces around `last` ring by ring, and tries the ray on each ring as it comes.
@@ -154,7 +157,6 @@ private:
     Vec3 up_;
     SurfaceRay down_;
     SurfaceHit hit_;
-    FoundBy by_ = FoundBy::current;
     std::array<std::uint32_t, kMostAround> around_;
     std::size_t count_ = 0;
 };
@@ -162,8 +164,12 @@ private:
 }  // namespace
 
 Underfoot underfoot(const SurfaceMesh& mesh, const ReadyTree& tree, const Stance& stance) noexcept {
-    if (!is_sound(stance)) return {kRefusedHit, FoundBy::current};
-    return Search(mesh, tree, stance).run();
+    Underfoot found;
+    if (!is_sound(stance))
+        found.hit.answer = Answer::refused;
+    else if (stance.last >= mesh.triangles.size() || !walk(mesh, stance, found))
+        found = Search(mesh, tree, stance).run();
+    return found;
 }
 
 }  // namespace orbweaver::surface

@@ -39,9 +39,9 @@ public:
         if (std::abs(d[2]) > std::abs(d[z_])) z_ = 2;
         x_ = (z_ + 1) % 3;
         y_ = (z_ + 2) % 3;
-        shear_x_ = d[x_] / d[z_];
-        shear_y_ = d[y_] / d[z_];
         scale_z_ = 1 / d[z_];
+        shear_x_ = d[x_] * scale_z_;
+        shear_y_ = d[y_] * scale_z_;
     }
 
     enum class Meets : std::uint8_t { not_at_all, grazes, crosses };
@@ -90,8 +90,8 @@ private:
 
     /// Whether the ray passes within rounding of an edge that it is outside of: each corner is known to a few
     /// units in the last place of its own numbers and of its distance from the ray's origin.
-    bool touches(const Edges& e, double sign, std::span<const Vec3> vertices,
-                 const Corners& corners) const noexcept {
+    [[gnu::noinline]] bool touches(const Edges& e, double sign, std::span<const Vec3> vertices,
+                                   const Corners& corners) const noexcept {
         const double function[3] = {e.u, e.v, e.w};
         double grain[3], sheared[3];
         for (std::size_t i = 0; i < 3; ++i) {
@@ -126,6 +126,12 @@ private:
     double shear_x_ = 0, shear_y_ = 0, scale_z_ = 0;
 };
 
+inline void fill_in(SurfaceHit& hit, const TriangleSet& set, std::uint32_t face,
+                    const Crossing& crossing) noexcept {
+    const double t = 1 / crossing.total;
+    fill_in(hit, set, {face, {crossing.u * t, crossing.v * t, crossing.w * t}}, crossing.distance);
+}
+
 /// The nearest crossing found so far; of equally near ones the face of the lowest number, whatever the order.
 /// What is only grazed counts when nothing is crossed.
 class NearestCrossing {
@@ -149,10 +155,10 @@ public:
     double reach() const noexcept { return crossed_.reach; }
 
     SurfaceHit hit(const TriangleSet& set) const noexcept {
-        const auto& [distance, face, crossing] = crosses() ? crossed_ : grazed_;
-        if (face == kNoFace) return {};
-        const double t = crossing.total;
-        return found_at(set, {face, {crossing.u / t, crossing.v / t, crossing.w / t}}, distance);
+        const Nearest& nearest = crosses() ? crossed_ : grazed_;
+        SurfaceHit hit;
+        if (nearest.face != kNoFace) fill_in(hit, set, nearest.face, nearest.crossing);
+        return hit;
     }
 
 private:

@@ -44,7 +44,7 @@ struct SurfaceHit {
 /// A body that wants to know the polygon under it.
 struct Stance {
     Vec3 position;                 ///< m, the body's origin, above the surface
-    Vec3 up;                       ///< away from the surface
+    Vec3 up;                       ///< unit, away from the surface
     Vec3 forward;                  ///< along the surface
     std::uint32_t last = kNoFace;  ///< the face that it was on when it last asked; kNoFace: unknown
     int side = 1;                  ///< of that face: 1 where its normal points, -1 its back
