@@ -120,12 +120,12 @@ BakedFile::~BakedFile() {
 }
 
 void BakedFile::read_header(std::string_view type, std::uint32_t version) {
-    Header header{};
-    std::memcpy(&header, bytes_.data(), std::min(bytes_.size(), sizeof header));
-    if (bytes_.size() < sizeof header.magic || header.magic != kMagic)
+    if (bytes_.size() < kMagic.size() || std::memcmp(bytes_.data(), kMagic.data(), kMagic.size()) != 0)
         refuse("is not a baked file; expected one that orbweaver-assets made");
+    Header header;
     if (bytes_.size() < sizeof header)
         refuse("is truncated: it has " + std::to_string(bytes_.size()) + " bytes, less than a header" + kAgain);
+    std::memcpy(&header, bytes_.data(), sizeof header);
     if (header.byte_order == __builtin_bswap32(kByteOrder))
         refuse("was baked on a machine of the other byte order; bake it again on this one");
     if (header.byte_order != kByteOrder)
