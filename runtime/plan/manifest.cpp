@@ -64,6 +64,10 @@ OptionSpec read_option(const std::string& key, const Node& node, Diagnostics& fa
     spec.length = static_cast<std::size_t>(length);
     reader.take("choices", spec.choices);
     reader.take("folder", spec.folder);
+    reader.take("asset", spec.asset);
+    if (!spec.asset.empty() && (spec.asset != "mesh" || spec.type != OptionType::file))
+        faults.push_back({node.where, fmt::format("option '{}' has the asset '{}'", key, spec.asset),
+                          "\"mesh\", of an option of type file", ""});
     reader.take("meaning", spec.meaning);
     if (spec.meaning.empty()) reader.missing("meaning");
     reader.finish();

@@ -38,6 +38,7 @@ struct OptionSpec {
     std::size_t length = 0;  ///< of numbers; 0: any
     std::vector<std::string> choices;
     std::string folder;  ///< of a preset, below assets/
+    std::string asset;   ///< of a file, what is baked from it: "mesh"; empty: it is used as it is
     std::string meaning;
 };
 

@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
+#include "bake_mesh.hpp"
+#include "mesh_cache.hpp"
+#include "mesh_file.hpp"
 #include "orbweaver/fault.hpp"
+#include "output/progress.hpp"
 #include "picture/decode.hpp"
 #include "run/run_scene.hpp"
 
@@ -15,6 +20,7 @@ namespace {
 
 struct Asset {
     std::string option;  ///< "view.sky"
+    std::string kind;    ///< "mesh"; empty: used as it is
     std::string path;
     Location where;
 };
@@ -24,7 +30,7 @@ std::vector<Asset> assets_of(const Plan& plan) {
     for (const PlannedModule& module : plan.modules)
         for (const OptionSpec& spec : module.manifest->options)
             if (spec.type == OptionType::file && module.options.has(spec.key))
-                assets.push_back({module.instance + "." + spec.key, module.options.text(spec.key),
+                assets.push_back({module.instance + "." + spec.key, spec.asset, module.options.text(spec.key),
                                   module.options.where(spec.key)});
     return assets;
 }
@@ -34,8 +40,23 @@ bool is_picture(const std::string& path) {
     return extension == ".png" || extension == ".jpg" || extension == ".jpeg" || extension == ".hdr";
 }
 
+/// Bakes a mesh into the cache, once.
+std::string make_mesh_ready(const std::string& path) {
+    const auto size = [](const BakedFile& file) {
+        return fmt::format("{} triangles, {} bytes", mesh::mesh_in(file).triangles.size(), file.size());
+    };
+    if (is_baked_file(path)) return size(mesh::open_mesh(path)) + ", baked, read as it is";
+    const mesh::Recipe recipe;
+    if (const auto cached = mesh::find_cached(path, recipe))
+        return fmt::format("{}, baked before: {}", size(*cached), cached->path());
+    bake_mesh(path, recipe, {}, mesh::cached_path(path, recipe));
+    const BakedFile baked = mesh::open_mesh(path);
+    return fmt::format("{}, baked: {}", size(baked), baked.path());
+}
+
 // Pictures and networks are used as they are; what is checked here is that they can be.
-std::string check(const Asset& asset) {
+std::string make_ready(const Asset& asset) {
+    if (asset.kind == "mesh") return make_mesh_ready(asset.path);
     if (!is_picture(asset.path))
         return fmt::format("{} bytes, read as it is", std::filesystem::file_size(asset.path));
     const auto picture = picture::decode_linear(asset.path);
@@ -52,20 +73,26 @@ int bake_scene(const std::string& scene_path, const std::vector<std::string>& mo
     PlannedScene planned = plan_scene(settings);
     Diagnostics& faults = planned.plan.faults;
     const auto assets = assets_of(planned.plan);
+    int code = faults.empty() ? 0 : static_cast<int>(FaultKind::invalid);
+    Progress progress("bake", 0, assets.size(), 0, assets.empty(), "assets");
     for (std::size_t i = 0; i < assets.size(); ++i) {
+        const Asset& asset = assets[i];
         try {
-            fmt::print("[{}/{}] {}: {}: {}\n", i + 1, assets.size(), assets[i].option, assets[i].path,
-                       check(assets[i]));
+            fmt::print("[{}/{}] {}: {}: {}\n", i + 1, assets.size(), asset.option, asset.path,
+                       make_ready(asset));
         } catch (const picture::Unreadable& unreadable) {
-            Diagnostic fault = unreadable.diagnostic();
-            fault.where = assets[i].where;
-            faults.push_back(std::move(fault));
+            faults.push_back(unreadable.diagnostic());
+            faults.back().where = asset.where;
+            code = std::max(code, static_cast<int>(FaultKind::invalid));
+        } catch (const Fault& fault) {
+            faults.push_back({asset.where, fault.what(), "", ""});
+            code = std::max(code, static_cast<int>(fault.kind()));
         }
+        progress.update(i + 1);
     }
     for (const Diagnostic& fault : faults) fmt::print(stderr, "{}\n", to_string(fault));
-    if (!faults.empty()) return static_cast<int>(FaultKind::invalid);
-    if (assets.empty()) fmt::print("{}: the scene asks for no asset\n", scene_path);
-    return 0;
+    if (assets.empty() && faults.empty()) fmt::print("{}: the scene asks for no asset\n", scene_path);
+    return code;
 }
 
 }  // namespace orbweaver

@@ -5,6 +5,7 @@
 #include "bake.hpp"
 #include "cli/picture_size.hpp"
 #include "cli/program.hpp"
+#include "mesh_commands.hpp"
 #include "orbweaver/build_stamp.hpp"
 #include "output/atomic_file.hpp"
 #include "picture/png.hpp"
@@ -50,8 +51,16 @@ int command_line(int argc, char** argv) {
     sky->add_option("-o,--output", output, "the file to write")->required();
     sky->add_option("--size", size, "pixels, WxH, twice as wide as high")->capture_default_str();
     sky->add_option("--seed", seed, "another seed, another meadow")->capture_default_str();
+    const AdjacencyCommand adjacency(app);
+    const InspectCommand inspect(app);
+    const VerifyCommand verify(app);
+    const MeshCommand mesh(app);
     try {
         app.parse(argc, argv);
+        if (adjacency.parsed()) return adjacency.run();
+        if (inspect.parsed()) return inspect.run();
+        if (verify.parsed()) return verify.run();
+        if (mesh.parsed()) return mesh.run();
         if (bake->parsed()) return bake_scene(scene, modules);
         write_sky(output, size, seed);
     } catch (const CLI::ParseError& error) {

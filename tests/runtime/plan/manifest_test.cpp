@@ -122,6 +122,11 @@ TEST_CASE("a manifest that is wrong says where and how", "[extreme]") {
           "m.toml:3:1: option 'x' has the unknown unit 'parsec'",
           "m.toml:3:1: option 'x' has a length of -1; expected a count",
           "m.toml:3:1: 'meaning' is missing; expected a text"}},
+        {"option asset",
+         "id = \"a\"\nversion = \"1\"\n[options.x]\ntype = \"text\"\nasset = \"mesh\"\nmeaning = \"m\"\n"
+         "[options.y]\ntype = \"file\"\nasset = \"song\"\nmeaning = \"m\"\n",
+         {"m.toml:3:1: option 'x' has the asset 'mesh'; expected \"mesh\", of an option of type file",
+          "m.toml:7:1: option 'y' has the asset 'song'; expected \"mesh\", of an option of type file"}},
         {"not TOML",
          "id = ",
          {"m.toml:1:6: Error while parsing key-value pair: encountered end-of-file; expected TOML"}},

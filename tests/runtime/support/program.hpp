@@ -19,11 +19,11 @@ struct Outcome {
     std::string err;
 };
 
-/// The program `orbweaver`, running.
+/// One of our programs, running: `orbweaver` unless told otherwise.
 class Program {
 public:
-    explicit Program(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), ORBWEAVER_PROGRAM);
+    explicit Program(std::vector<std::string> arguments, const std::string& program = ORBWEAVER_PROGRAM) {
+        arguments.insert(arguments.begin(), program);
         std::vector<char*> argv;
         for (std::string& argument : arguments) argv.push_back(argument.data());
         argv.push_back(nullptr);
@@ -32,9 +32,9 @@ public:
         for (const auto& [stream, name] : {std::pair(STDOUT_FILENO, "out"), std::pair(STDERR_FILENO, "err")})
             posix_spawn_file_actions_addopen(&actions, stream, folder_.path(name).c_str(),
                                              O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        const int failed = ::posix_spawn(&pid_, ORBWEAVER_PROGRAM, &actions, nullptr, argv.data(), environ);
+        const int failed = ::posix_spawn(&pid_, program.c_str(), &actions, nullptr, argv.data(), environ);
         posix_spawn_file_actions_destroy(&actions);
-        if (failed != 0) throw std::runtime_error("the test cannot start " ORBWEAVER_PROGRAM);
+        if (failed != 0) throw std::runtime_error("the test cannot start " + program);
     }
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
@@ -54,6 +54,10 @@ private:
 };
 
 inline Outcome run_program(std::vector<std::string> arguments) { return Program(std::move(arguments)).wait(); }
+
+inline Outcome run_assets(std::vector<std::string> arguments) {
+    return Program(std::move(arguments), ORBWEAVER_ASSETS_PROGRAM).wait();
+}
 
 inline std::string fixture(const std::string& name) { return ORBWEAVER_FIXTURES "/" + name; }
 

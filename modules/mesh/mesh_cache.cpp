@@ -1,0 +1,101 @@
+#include "mesh_cache.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "baked/content_hash.hpp"
+#include "mesh_file.hpp"
+#include "orbweaver/fault.hpp"
+
+namespace orbweaver::mesh {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string environment(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+ContentHash key_of(const std::string& source, const Recipe& recipe) {
+    ContentHasher key;
+    const ContentHash content = hash_file(source);
+    key.add(&content, sizeof content);
+    for (const std::uint32_t version : {kMeshVersion, kBuilderVersion}) key.add(&version, sizeof version);
+    key.add(&recipe.weld_tolerance, sizeof recipe.weld_tolerance);
+    for (const auto& [material, property] : recipe.properties) {
+        key.add(material);
+        key.add(&property, sizeof property);
+    }
+    return key.finish();
+}
+
+/// The next text of a row of texts that are each ended by a zero.
+std::string_view take_text(std::string_view& rest) {
+    const std::string_view text = rest.substr(0, rest.find('\0'));
+    rest.remove_prefix(std::min(rest.size(), text.size() + 1));
+    return text;
+}
+
+bool is_as_it_was(const fs::path& path, std::string_view hash) {
+    std::error_code ignored;
+    return fs::is_regular_file(path, ignored) && to_string(hash_file(path.string())) == hash;
+}
+
+bool companions_are_as_they_were(const BakedFile& file, const std::string& source) {
+    const auto section = file.section<char>("companions");
+    const fs::path folder = fs::path(source).parent_path();
+    for (std::string_view rest(section.data(), section.size()); !rest.empty();) {
+        const fs::path path = folder / take_text(rest);
+        if (!is_as_it_was(path, take_text(rest))) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::vector<char> to_section(std::span<const Companion> companions) {
+    std::vector<char> section;
+    for (const Companion& each : companions)
+        for (const std::string& text : {each.path, to_string(each.hash)}) {
+            section.insert(section.end(), text.begin(), text.end());
+            section.push_back('\0');
+        }
+    return section;
+}
+
+std::string cache_folder() {
+    if (const std::string own = environment("ORBWEAVER_CACHE"); !own.empty()) return own;
+    if (const std::string all = environment("XDG_CACHE_HOME"); !all.empty()) return all + "/orbweaver";
+    if (const std::string home = environment("HOME"); !home.empty()) return home + "/.cache/orbweaver";
+    throw Fault(FaultKind::invalid, "there is no folder for baked meshes; set ORBWEAVER_CACHE or HOME to one");
+}
+
+std::string cached_path(const std::string& source, const Recipe& recipe) {
+    return cache_folder() + "/" + to_string(key_of(source, recipe)) + ".baked";
+}
+
+std::optional<BakedFile> find_cached(const std::string& source, const Recipe& recipe) {
+    const std::string path = cached_path(source, recipe);
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) return std::nullopt;
+    try {
+        BakedFile file(path, kMeshType, kMeshVersion);
+        if (companions_are_as_they_were(file, source)) return file;
+    } catch (const Fault&) {
+        // damaged: as good as absent, since it can be made again
+    }
+    return std::nullopt;
+}
+
+BakedFile open_mesh(const std::string& path) {
+    if (is_baked_file(path)) return {path, kMeshType, kMeshVersion};
+    if (auto file = find_cached(path, {})) return std::move(*file);
+    throw Fault(FaultKind::invalid,
+                path +
+                    ": is not baked yet; run orbweaver-assets bake with this scene, or bake it with "
+                    "orbweaver-assets adjacency and name the baked file");
+}
+
+}  // namespace orbweaver::mesh

@@ -1,0 +1,142 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "fake_host.hpp"
+#include "mesh_file.hpp"
+#include "obj_mesh.hpp"
+#include "orbweaver/contracts/surface.hpp"
+#include "scratch.hpp"
+#include "shapes.hpp"
+#include "tree_file.hpp"
+
+using namespace orbweaver;
+using orbweaver::surface::build_wide_tree;
+using orbweaver::surface::WideTreeData;
+using test::FakeHost;
+using test::LoadedModule;
+
+namespace {
+
+enum class Tree { none, baked, broken };
+
+void bake(const std::string& path, const mesh::RawMesh& raw, Tree kind) {
+    mesh::Validation validation;
+    const auto data = mesh::build_surface_mesh(raw, {}, "the test's mesh", validation);
+    WideTreeData tree = build_wide_tree({data.vertices, data.triangles});
+    if (kind == Tree::broken) tree.nodes[0].children[0] = 77'777;
+    BakedWriter writer(mesh::kMeshType, mesh::kMeshVersion, {});
+    mesh::add_mesh(writer, data.view(), validation);
+    if (kind != Tree::none) surface::add_tree(writer, tree);
+    writer.write(path);
+}
+
+FakeHost host_for(const std::string& path) {
+    FakeHost host;
+    host.set("mesh", path, {"scene.toml", 3, 1});
+    host.set("position", Vec3{});
+    return host;
+}
+
+Surface& surface_of(FakeHost& host) {
+    REQUIRE(host.contracts[Surface::kContract].size() == 1);
+    return *static_cast<Surface*>(host.contracts[Surface::kContract].front());
+}
+
+std::string measure(LoadedModule& module, const std::string& name) {
+    for (const auto& [key, value] : module.report().measures)
+        if (key == name) return std::get<std::string>(value);
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("whoever never leaves a flat floor has no tree made", "[unit]") {
+    const test::Scratch folder;
+    bake(folder.path("floor.baked"), mesh::t_junction(2, 8), Tree::none);
+    LoadedModule module("surface");
+    FakeHost host = host_for(folder.path("floor.baked"));
+    REQUIRE(module.attach(host));
+    const Surface& surface = surface_of(host);
+    CHECK(surface.size() == 2);
+    SurfaceStep at = surface.place({0, {0.4, 0.3, 0.3}}, {0, 1, 0}, {1, 0, -0.3});
+    REQUIRE(at.answer == Answer::found);
+    std::uint32_t last = at.end.at.face;
+    for (int i = 0; i < 40; ++i) {
+        at = surface.step(at.end, 0.01);
+        REQUIRE(at.stop == StepStop::none);
+        const Underfoot found = surface.underfoot(
+            {at.end.position + Vec3{0, 0.02, 0}, at.end.up, at.end.forward, last, at.end.side, 0.1});
+        REQUIRE(found.hit.answer == Answer::found);
+        last = found.hit.at.face;
+    }
+    REQUIRE(module.run());
+    CHECK(measure(module, "tree") == "none: nobody asked for it");
+    CHECK(measure(module, "clearance_tree") == "none: nobody asked for it");
+    // A ray asks for one, a body for the other.
+    CHECK(surface.first_hit({{0.1, 1, 0.1}, {0, -1, 0}}).distance == 1);
+    CHECK(measure(module, "tree") == "made when first asked for");
+    CHECK(measure(module, "clearance_tree") == "none: nobody asked for it");
+    ProbeBody body;
+    body.center = {0.1, 1, 0.1};
+    body.size.x = 0.25;
+    CHECK(surface.clearance(body, INFINITY).distance == Approx(0.75));
+    CHECK(measure(module, "clearance_tree") == "made when first asked for");
+}
+
+TEST_CASE("a surface is scaled and moved as the scene says, its baked tree with it", "[unit]") {
+    const test::Scratch folder;
+    bake(folder.path("ball.baked"), mesh::sphere(1, 12), Tree::baked);
+    LoadedModule module("surface");
+    FakeHost host = host_for(folder.path("ball.baked"));
+    host.set("size", 6.0, {});
+    host.set("position", Vec3{10, 20, 30});
+    host.set("friction", 0.25, {});
+    host.set("climbable", false, {});
+    REQUIRE(module.attach(host));
+    const Surface& surface = surface_of(host);
+    CHECK(surface.size() == Approx(6));
+    CHECK(surface.grip(5).friction == 0.25);
+    CHECK_FALSE(surface.grip(5).climbable);
+    CHECK(measure(module, "tree") == "baked");
+    const SurfaceHit down = surface.first_hit({{10, 40, 30}, {0, -1, 0}});
+    REQUIRE(down.answer == Answer::found);
+    CHECK(down.distance == Approx(17));
+    CHECK(distance(surface.closest_point({10, 10, 30}, 100).position, {10, 17, 30}) < 1e-14);
+    CHECK(surface.first_hit({{10, 40, 33.1}, {0, -1, 0}}).answer == Answer::nothing);
+}
+
+TEST_CASE("a material's own grip holds where the scene says nothing", "[unit]") {
+    const test::Scratch folder;
+    bake(folder.path("cube.baked"), mesh::cube(1, 1), Tree::baked);
+    LoadedModule module("surface");
+    FakeHost host = host_for(folder.path("cube.baked"));
+    REQUIRE(module.attach(host));
+    CHECK(surface_of(host).grip(0).friction == mesh::SurfaceProperty{}.friction);
+    CHECK(surface_of(host).grip(0).climbable);
+    CHECK(surface_of(host).polygons()[0] == surface_of(host).polygons()[1]);  // the halves of a quad
+}
+
+TEST_CASE("a surface that cannot be is told at its place in the scene", "[unit]") {
+    const test::Scratch folder;
+    bake(folder.path("broken.baked"), mesh::cube(1, 3), Tree::broken);
+    struct Case {
+        std::string path;
+        std::string what;
+    };
+    for (const auto& [path, what] :
+         {Case{folder.path("broken.baked"), "is unsound: node 0 of the tree has node 77777 below it"},
+          Case{folder.write("cube.obj", "v 0 0 0\n"), "is not baked yet; run orbweaver-assets bake"}}) {
+        LoadedModule module("surface");
+        FakeHost host = host_for(path);
+        CHECK(module.attach(host));
+        REQUIRE(host.faults.size() == 1);
+        CHECK(host.faults[0].where.line == 3);
+        CHECK_THAT(host.faults[0].what, Catch::Contains(what));
+        CHECK(host.contracts.empty());
+    }
+    LoadedModule module("surface");
+    FakeHost host;
+    CHECK(module.attach(host));
+    REQUIRE(host.faults.size() == 1);
+    CHECK(host.faults[0].what == "the surface has no mesh");
+}

@@ -1,0 +1,109 @@
+// Two million steps at random over closed surfaces.
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "geodesic.hpp"
+#include "obj_mesh.hpp"
+#include "orbweaver/random.hpp"
+#include "shapes.hpp"
+#include "wide_tree.hpp"
+
+using namespace orbweaver;
+using namespace orbweaver::surface;
+using orbweaver::surface::test::built;
+using orbweaver::surface::test::read_obj;
+
+namespace {
+
+/// How often a closed surface winds about a point: by the solid angles of its faces (Van Oosterom and Strackee
+/// 1983). Knows nothing of trees, neighbours or steps.
+int winding_number(const mesh::SurfaceMesh& mesh, const Vec3& at) {
+    double sum = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Vec3 a = mesh.corner(t, 0) - at, b = mesh.corner(t, 1) - at, c = mesh.corner(t, 2) - at;
+        const double la = norm(a), lb = norm(b), lc = norm(c);
+        sum += std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    }
+    return static_cast<int>(std::lround(sum / (2 * 3.14159265358979323846)));
+}
+
+struct Wander {
+    int lost = 0;
+    int through = 0;
+    double worst_off = 0;       // of the surface's size, from the plane of the face that it is said to be on
+    double worst_distance = 0;  // of the size, from the nearest point of the surface; sampled
+};
+
+/// `steps` steps of up to a twentieth of the size, each in a direction of its own.
+Wander wander(const mesh::SurfaceMesh& mesh, int side, int steps) {
+    const auto set = triangles_of(mesh);
+    const WideTreeData tree = build_wide_tree(set);
+    const Vec3 extent = mesh.bounds.max - mesh.bounds.min;
+    const double size = std::max({extent.x, extent.y, extent.z});
+    const RandomStream random(3, "wander");
+    Footing at{{0, {0.4, 0.3, 0.3}}, side, {}, {}, {}};
+    at = place(mesh, at.at, side * face_normal(set, 0), mesh.corner(0, 1) - mesh.corner(0, 0)).end;
+    const auto winding = [&] { return winding_number(mesh, at.position + 1e-7 * size * at.up); };
+    const int where = winding();
+    const int samples = 100'000'000 / static_cast<int>(mesh.triangles.size() + 1) / 10 + 50;
+    const int every = std::max(1, steps / samples);
+    Wander result;
+    std::uint64_t n = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double a = random.uniform(n++, -1, 1);  // steers by up to 45 degrees
+        const Vec3 left = cross(at.up, at.forward);
+        const SurfaceStep turned = place(mesh, at.at, at.up, at.forward + a * left);
+        const double length = 0.05 * size * random.uniform(n++);
+        const SurfaceStep end = step(mesh, turned.end, length);
+        if (end.answer != Answer::found || end.stop != StepStop::none || end.walked != length) {
+            ++result.lost;
+            continue;
+        }
+        at = end.end;
+        if (at.side != side) ++result.through;
+        result.worst_off =
+            std::max(result.worst_off, std::abs(dot(at.position - mesh.corner(at.at.face, 0), at.up)) / size);
+        if (i % every != 0) continue;
+        if (winding() != where) ++result.through;
+        const SurfaceHit nearest = closest_point(tree.view(), set, at.position, size);
+        result.worst_distance = std::max(result.worst_distance, nearest.distance / size);
+    }
+    return result;
+}
+
+void check_wander(const mesh::RawMesh& raw, int side) {
+    const auto data = built(raw);
+    mesh::Validation found;
+    mesh::SurfaceMeshData joined = data;
+    mesh::join(joined, found);
+    REQUIRE(found.border_edges == 0);
+    constexpr int kSteps = 250'000;
+    const Wander result = wander(data.view(), side, kSteps);
+    CHECK(result.lost == 0);
+    CHECK(result.through == 0);
+    CHECK(result.worst_off <= 1e-9);
+    CHECK(result.worst_distance <= 1e-9);
+}
+
+}  // namespace
+
+TEST_CASE("a quarter of a million steps each: outside a cube, inside it, and in a room", "[extreme]") {
+    check_wander(mesh::cube(2, 4), 1);
+    check_wander(mesh::cube(2, 4), -1);
+    check_wander(mesh::room(3, 5), 1);
+}
+
+TEST_CASE("a quarter of a million steps each over a torus, a branch and a sphere", "[extreme]") {
+    check_wander(mesh::torus(1, 8), 1);
+    check_wander(mesh::branch(0.3, 4), 1);
+    check_wander(mesh::sphere(1e-3, 12), 1);
+}
+
+TEST_CASE("a quarter of a million steps each over the closed ones among real meshes", "[extreme]") {
+    for (const char* name : {"spot", "fandisk"}) {  // bunny, teapot and suzanne have borders
+        CAPTURE(name);
+        check_wander(read_obj(std::string(ORBWEAVER_MESHES "/") + name + ".obj"), 1);
+    }
+}

@@ -1,0 +1,98 @@
+#include "bake.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "obj.hpp"
+#include "shapes.hpp"
+#include "support/program.hpp"
+
+using namespace orbweaver;
+using test::run_assets;
+
+namespace {
+
+/// A scene that asks for a mesh through a module of which there is nothing but the manifest, and a cache of its
+/// own.
+class Stage {
+public:
+    Stage() {
+        folder_.write("modules/walker.toml",
+                      "id = \"walker\"\nversion = \"1\"\ntable = \"walker\"\nseveral = true\n"
+                      "[options.mesh]\ntype = \"file\"\nasset = \"mesh\"\nmeaning = \"what it walks on\"\n");
+        ::setenv("ORBWEAVER_CACHE", cache().c_str(), 1);
+        write_mesh(mesh::cube(1, 2));
+        write_scene("[[walker]]\nmesh = \"m.obj\"\n");
+    }
+    ~Stage() { ::unsetenv("ORBWEAVER_CACHE"); }
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+    void write_mesh(const mesh::RawMesh& raw) const { folder_.write("m.obj", obj_text(raw)); }
+    void write_scene(const std::string& tables) const {
+        folder_.write("scene.toml", "[scene]\nduration = 1\n" + tables);
+    }
+    test::Outcome bake() const {
+        return run_assets({"bake", folder_.path("scene.toml"), "--modules", folder_.path("modules")});
+    }
+    std::string cache() const { return folder_.path("cache"); }
+    std::vector<std::string> cached() const { return test::Folder::names_in(cache()); }
+    const test::Folder& folder() const { return folder_; }
+
+private:
+    test::Folder folder_;
+};
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("a mesh is baked once, and again only when its source changes", "[unit]") {
+    const Stage stage;
+    const auto first = stage.bake();
+    REQUIRE(first.code == 0);
+    REQUIRE(stage.cached().size() == 1);
+    const std::string file = stage.cache() + "/" + stage.cached()[0];
+    CHECK(contains(first.out, "[1/1] walker.mesh: " + stage.folder().path("m.obj") + ": 48 triangles, "));
+    CHECK(contains(first.out, ", baked: " + file));
+    CHECK(contains(first.err, "bake 1/1 assets"));
+    CHECK(contains(stage.bake().out, ", baked before: " + file));
+    stage.write_mesh(mesh::cube(1, 3));
+    CHECK(contains(stage.bake().out, ": 108 triangles, "));
+    CHECK(stage.cached().size() == 2);
+    stage.write_mesh(mesh::cube(1, 2));
+    CHECK(contains(stage.bake().out, ", baked before: " + file));
+}
+
+TEST_CASE("a damaged file in the cache is made anew", "[unit]") {
+    const Stage stage;
+    REQUIRE(stage.bake().code == 0);
+    const std::string file = "cache/" + stage.cached()[0];
+    const std::string sound = test::read_file(stage.folder().path(file));
+    stage.folder().write(file, sound.substr(0, sound.size() / 2));
+    CHECK(contains(stage.bake().out, ", baked: "));
+    CHECK(test::read_file(stage.folder().path(file)) == sound);
+}
+
+TEST_CASE("what is baked already is read as it is", "[unit]") {
+    const Stage stage;
+    REQUIRE(
+        run_assets({"adjacency", stage.folder().path("m.obj"), "-o", stage.folder().path("m.baked")}).code ==
+        0);
+    stage.write_scene("[[walker]]\nmesh = \"m.baked\"\n");
+    CHECK(contains(stage.bake().out, ": 48 triangles, "));
+    CHECK(contains(stage.bake().out, ", baked, read as it is"));
+    CHECK_FALSE(std::filesystem::exists(stage.cache()));
+}
+
+TEST_CASE("every mesh that cannot be baked is a fault with its place in the scene, and the others are baked",
+          "[unit]") {
+    const Stage stage;
+    stage.folder().write("bad.obj", "v 0 0 0\n");
+    stage.write_scene("[[walker]]\nmesh = \"bad.obj\"\n[[walker]]\nmesh = \"m.obj\"\n");
+    const auto outcome = stage.bake();
+    CHECK(outcome.code == 3);
+    CHECK(contains(outcome.err,
+                   stage.folder().path("scene.toml") + ":4:8: " + stage.folder().path("bad.obj") + ": "));
+    CHECK(contains(outcome.out, "[2/2] walker.2.mesh: "));
+    CHECK(stage.cached().size() == 1);
+}
