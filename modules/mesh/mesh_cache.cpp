@@ -66,7 +66,7 @@ std::vector<char> to_section(std::span<const Companion> companions) {
 }
 
 std::string cache_folder() {
-    if (const std::string own = environment("ORBWEAVER_CACHE"); !own.empty()) return own;
+    if (std::string own = environment("ORBWEAVER_CACHE"); !own.empty()) return own;
     if (const std::string all = environment("XDG_CACHE_HOME"); !all.empty()) return all + "/orbweaver";
     if (const std::string home = environment("HOME"); !home.empty()) return home + "/.cache/orbweaver";
     throw Fault(FaultKind::invalid, "there is no folder for baked meshes; set ORBWEAVER_CACHE or HOME to one");

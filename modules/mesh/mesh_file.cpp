@@ -62,8 +62,8 @@ void require_finite(const BakedFile& file, const SurfaceMesh& mesh) {
 }  // namespace
 
 void add_mesh(BakedWriter& writer, const SurfaceMesh& mesh, const Validation& validation) {
-    writer.add("validation", std::span(&validation, 1));
-    writer.add("bounds", std::span(&mesh.bounds, 1));
+    writer.add_record("validation", validation);
+    writer.add_record("bounds", mesh.bounds);
     writer.add("vertices", mesh.vertices);
     writer.add("triangles", mesh.triangles);
     writer.add("across", mesh.across);

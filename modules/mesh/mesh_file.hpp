@@ -13,7 +13,7 @@ namespace orbweaver::mesh {
 inline constexpr std::string_view kMeshType = "mesh";
 inline constexpr std::uint32_t kMeshVersion = 1;  ///< of the sections below; others are refused
 
-/// Adds a mesh's sections. The mesh and what was found in it are not copied: they outlive the writer.
+/// Adds a mesh's sections. What its arrays view is not copied: it outlives the writer.
 void add_mesh(BakedWriter& writer, const SurfaceMesh& mesh, const Validation& validation);
 
 /// The mesh in a file of kMeshType and kMeshVersion, where it lies: valid while the file lives. Throws

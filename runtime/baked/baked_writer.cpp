@@ -27,10 +27,6 @@ std::array<char, N> field(std::string_view text) {
 BakedWriter::BakedWriter(std::string_view type, std::uint32_t version, const ContentHash& source)
     : type_(type), version_(version), source_(source) {}
 
-void BakedWriter::add(std::string_view name, std::span<const std::byte> bytes, std::size_t stride) {
-    sections_.push_back({std::string(name), bytes, stride});
-}
-
 void BakedWriter::write(const std::string& path) const {
     std::size_t end = sizeof(Header) + sections_.size() * sizeof(SectionEntry);
     std::vector<SectionEntry> entries;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,9 +23,16 @@ public:
     template <class T>
     void add(std::string_view name, std::span<const T> records) {
         static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= 64);
-        add(name, std::as_bytes(records), sizeof(T));
+        sections_.push_back({std::string(name), std::as_bytes(records), sizeof(T), nullptr});
     }
-    void add(std::string_view name, std::span<const std::byte> bytes, std::size_t stride);
+    /// A section of one record, which is copied.
+    template <class T>
+    void add_record(std::string_view name, const T& record) {
+        static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= 64);
+        const auto bytes = std::as_bytes(std::span(&record, 1));
+        auto copy = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
+        sections_.push_back({std::string(name), *copy, sizeof(T), copy});
+    }
 
     /// Throws Fault as AtomicFile does.
     void write(const std::string& path) const;
@@ -34,6 +42,7 @@ private:
         std::string name;
         std::span<const std::byte> bytes;
         std::size_t stride;
+        std::shared_ptr<const std::vector<std::byte>> copy;  ///< what `bytes` are, where they are ours
     };
 
     std::string type_;

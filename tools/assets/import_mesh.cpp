@@ -12,8 +12,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "orbweaver/fault.hpp"
 #include "imported_mesh_bytes.hpp"
+#include "orbweaver/fault.hpp"
 #include "surface_mesh.hpp"
 
 namespace orbweaver {

@@ -34,6 +34,18 @@ TEST_CASE("a section may be empty", "[unit]") {
     CHECK(BakedFile(folder.path("f"), "sample", 1).section<double>("none").empty());
 }
 
+TEST_CASE("a single record is kept, though it and the first writer are gone", "[unit]") {
+    const test::Folder folder;
+    const auto with_record = [] {
+        BakedWriter writer = sample();
+        const std::vector<double> temporary = {4.5};
+        writer.add_record("record", temporary[0]);
+        return std::vector<BakedWriter>(2, writer)[1];
+    };
+    with_record().write(folder.path("f"));
+    CHECK(BakedFile(folder.path("f"), "sample", 1).section<double>("record")[0] == 4.5);
+}
+
 TEST_CASE("a disk that fills up leaves the file that was there, and no piece of a new one", "[unit]") {
     const test::Folder folder;
     folder.write("f", "before");
