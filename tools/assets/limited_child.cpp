@@ -29,6 +29,13 @@ constexpr char kAnswer = 'A';       // an answer follows
 constexpr char kOutOfMemory = 'M';  // an allocation failed
 constexpr char kFault = 'F';        // the kind of a Fault follows, then its sentence
 
+/// Sanitizers reserve terabytes of addresses: under them only the watch ends what grows.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
 void limit(decltype(RLIMIT_FSIZE) what, rlim_t value) {
     const rlimit both{value, value};
     ::setrlimit(what, &both);
@@ -38,10 +45,7 @@ void restrict_child(const ChildLimits& limits) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     limit(RLIMIT_FSIZE, 0);
     limit(RLIMIT_CORE, 0);
-    // Sanitizers reserve terabytes: under them only the watch ends what grows.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    limit(RLIMIT_AS, 2 * limits.memory);
-#endif
+    if (!kSanitized) limit(RLIMIT_AS, 2 * limits.memory);
     for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGPIPE, SIGXFSZ, SIGINT, SIGTERM})
         ::signal(signal, SIG_DFL);
     const int null = ::open("/dev/null", O_RDWR);
