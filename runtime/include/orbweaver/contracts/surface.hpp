@@ -48,8 +48,8 @@ struct Stance {
     Vec3 forward;                  ///< along the surface
     std::uint32_t last = kNoFace;  ///< the face that it was on when it last asked; kNoFace: unknown
     int side = 1;                  ///< of that face: 1 where its normal points, -1 its back
-    /// m, how far below the surface may be: a little more than the height at which the body is carried. What lies
-    /// deeper, beyond a thin wall or under a fold, is not underfoot.
+    /// m, how far below the surface may be: a little more than the height at which the body is carried. What
+    /// lies deeper, beyond a thin wall or under a fold, is not underfoot.
     double reach = std::numeric_limits<double>::infinity();
 };
 
