@@ -14,6 +14,11 @@ double largest_distance(std::span<const Vec3> a, std::span<const Vec3> b) noexce
     return largest;
 }
 
+double richardson(std::span<const Vec3> whole, std::span<const Vec3> halved, int order) noexcept {
+    const double power = std::ldexp(1.0, order);
+    return power / (power - 1) * largest_distance(whole, halved);
+}
+
 }  // namespace
 
 bool ErrorMeter::wants(std::uint64_t frame) const noexcept {
@@ -22,8 +27,12 @@ bool ErrorMeter::wants(std::uint64_t frame) const noexcept {
 }
 
 void ErrorMeter::add(std::span<const Vec3> whole, std::span<const Vec3> halved, int order) noexcept {
-    const double power = std::ldexp(1.0, order);
-    add_sample(power / (power - 1) * largest_distance(whole, halved));
+    add_sample(richardson(whole, halved, order));
+}
+
+void ErrorMeter::follow(std::span<const Vec3> whole, std::span<const Vec3> halved, int order) noexcept {
+    left_ = richardson(whole, halved, order);
+    damped_ = std::max(damped_, last_ - left_);
 }
 
 void ErrorMeter::add_judged(std::span<const Vec3> x, std::span<const Vec3> judged_x, std::span<const Vec3> v,
@@ -31,35 +40,39 @@ void ErrorMeter::add_judged(std::span<const Vec3> x, std::span<const Vec3> judge
     add_sample(largest_distance(x, judged_x) + frame_step * largest_distance(v, judged_v));
 }
 
-void ErrorMeter::add_unknown() noexcept { add_sample(std::numeric_limits<double>::infinity()); }
+void ErrorMeter::add_unknown() noexcept {
+    ++unknown_;
+    add_sample(std::numeric_limits<double>::infinity());
+}
 
 void ErrorMeter::add_sample(double error) noexcept {
-    last_ = error;
-    sum_ += last_ * static_cast<double>(frames_since_);
+    sum_ += left_ * static_cast<double>(last_frames_);
+    last_ = left_ = error;
+    last_frames_ = frames_since_;
     frames_ += frames_since_;
     frames_since_ = 0;
     ++samples_;
 }
 
-void ErrorMeter::add_embedded(double error, std::int64_t steps) noexcept {
-    sum_ += error;
-    steps_ += steps;
-}
-
 double ErrorMeter::estimate() const noexcept {
-    return frames_since_ == 0 ? sum_ : sum_ + last_ * static_cast<double>(frames_since_);
+    const std::uint64_t frames = last_frames_ + frames_since_;
+    return sum_ + damped_ + (frames == 0 ? 0 : left_ * static_cast<double>(frames));
 }
 
 std::string ErrorMeter::how() const {
-    if (steps_ > 0)
-        return "embedded method: errors of single steps added up, " + std::to_string(steps_) + " steps tried";
     if (samples_ == 0) return "no frame was redone yet";
-    const std::string means =
-        judge_.empty() ? "step doubling: largest change of a position when a frame is redone at half the step, "
-                       : "another method: largest change of a position when a frame is redone by " +
-                             std::string(judge_) + ", ";
-    return means + std::to_string(samples_) + " of " + std::to_string(frames_ + frames_since_) +
-           " frames redone, errors of single frames added up";
+    const std::string counts =
+        std::to_string(samples_) + " of " + std::to_string(frames_ + frames_since_) + " frames redone";
+    std::string text =
+        judge_.empty()
+            ? "step doubling: largest change of a position when a frame is redone in steps half as long, " +
+                  counts + ", what is left a frame later of errors of single frames added up"
+            : "another method: largest change of a position, and of a velocity as a frame's way, when a "
+              "frame is redone by " +
+                  std::string(judge_) + ", " + counts + ", errors of single frames added up";
+    if (unknown_ > 0)
+        text += "; " + std::to_string(unknown_) + " of them could not be redone: the error is not known";
+    return text;
 }
 
 }  // namespace orbweaver::mass_spring

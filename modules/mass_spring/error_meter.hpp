@@ -9,12 +9,14 @@
 
 namespace orbweaver::mass_spring {
 
-/// Adds up the position error of a run: from the errors that an embedded method gives, or from frames redone at
-/// half the step, or by another method. Early frames are sampled more densely (0, 1, 2, 4 ... 64, 128, 192
-/// ...), and a sample stands for the frames since the one before.
+/// Adds up the position error of a run from frames redone in steps half as long, or by another method. Early
+/// frames are sampled more densely (0, 1, 2, 4 ... 64, 128, 192
+/// ...), and a sample stands for the frames since the one before. Of each frame's error counts what is left of
+/// it a frame later, where that is known, for what is damped out by then does not add up; and once, the most
+/// that was damped out.
 class ErrorMeter {
 public:
-    /// `judge`: the other method by which frames are redone; empty: at half the step.
+    /// `judge`: the other method by which frames are redone; empty: in steps half as long.
     explicit ErrorMeter(std::string_view judge = {}) noexcept : judge_(judge) {}
 
     /// Whether a frame of that index is to be redone: always where none was yet, as after a restart.
@@ -26,11 +28,11 @@ public:
     /// off by counts as the way of a frame of `frame_step` s.
     void add_judged(std::span<const Vec3> x, std::span<const Vec3> judged_x, std::span<const Vec3> v,
                     std::span<const Vec3> judged_v, double frame_step) noexcept;
+    /// The frame after the last one that was added went on from both ends of it: what their difference came to.
+    void follow(std::span<const Vec3> whole, std::span<const Vec3> halved, int order) noexcept;
     /// The frame could not be redone: the error is not known, and counts as infinite.
     void add_unknown() noexcept;
     void count_frame() noexcept { ++frames_since_; }
-    /// Of the steps of a frame, m, by an embedded method; instead of add() and count_frame().
-    void add_embedded(double error, std::int64_t steps) noexcept;
 
     double estimate() const noexcept;  ///< m
     std::string how() const;
@@ -39,12 +41,15 @@ private:
     void add_sample(double error) noexcept;
 
     std::string_view judge_;
-    double sum_ = 0;   ///< m, over the frames that samples stand for
-    double last_ = 0;  ///< m, of the last sample
+    double sum_ = 0;     ///< m, what is left of errors of the frames that samples but the last stand for
+    double last_ = 0;    ///< m, of the last sample
+    double left_ = 0;    ///< m, of that, a frame later
+    double damped_ = 0;  ///< m, the most that a sample lost within that frame
     std::uint64_t samples_ = 0;
-    std::uint64_t frames_ = 0;
-    std::uint64_t frames_since_ = 0;  ///< the last sample, it included
-    std::int64_t steps_ = 0;          ///< that an embedded method judged
+    std::uint64_t unknown_ = 0;       ///< of the samples
+    std::uint64_t frames_ = 0;        ///< that samples stand for
+    std::uint64_t last_frames_ = 0;   ///< of them, the last
+    std::uint64_t frames_since_ = 0;  ///< the last sample
 };
 
 }  // namespace orbweaver::mass_spring

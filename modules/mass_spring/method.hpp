@@ -50,5 +50,9 @@ struct MethodInfo {
 std::span<const MethodInfo> methods() noexcept;
 /// The method of that name, or null.
 const MethodInfo* find_method(std::string_view name) noexcept;
+/// A whole number that stands for a method in saved states, made of its name.
+double mark_of(const MethodInfo& method) noexcept;
+/// The method of that mark, or null.
+const MethodInfo* find_marked_method(double mark) noexcept;
 
 }  // namespace orbweaver::mass_spring

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "builtin_methods.hpp"
 
@@ -27,6 +28,19 @@ const MethodInfo* find_method(std::string_view name) noexcept {
     const auto all = methods();
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const MethodInfo& m) { return m.name == name; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+double mark_of(const MethodInfo& method) noexcept {
+    std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a of 64 bits
+    for (const char letter : method.name) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3;
+    return static_cast<double>(hash >> 12);  // which a double holds
+}
+
+const MethodInfo* find_marked_method(double mark) noexcept {
+    const auto all = methods();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const MethodInfo& m) { return mark_of(m) == mark; });
     return found == all.end() ? nullptr : &*found;
 }
 

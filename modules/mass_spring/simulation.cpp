@@ -11,24 +11,6 @@
 #include "substep_plan.hpp"
 
 namespace orbweaver::mass_spring {
-namespace {
-
-/// Adds the wall time of its life to a sum of seconds.
-class Stopwatch {
-public:
-    explicit Stopwatch(double& seconds) noexcept : seconds_(seconds) {}
-    Stopwatch(const Stopwatch&) = delete;
-    Stopwatch& operator=(const Stopwatch&) = delete;
-    ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    double& seconds_;
-    Clock::time_point start_ = Clock::now();
-};
-
-}  // namespace
-
 Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double frame_step, std::span<Vec3> x,
                        std::span<Vec3> v, std::span<double> memory, std::span<double> creep)
     : system_(&system),
@@ -36,21 +18,17 @@ Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double
       frame_step_(frame_step),
       x_(x),
       v_(v),
-      memory_(memory),
+      memory_(memory.size() == kSimulationMemory ? memory : std::span<double>(own_memory_)),
       creep_(creep),
       integrator_(system, *settings_.method),
       watch_(x),
-      error_(settings_.method->judge),
+      error_(system, settings_, integrator_, watch_, frame_step, x),
       start_x_(x.begin(), x.end()),
-      start_v_(v.begin(), v.end()),
-      trial_x_(x.size()),
-      trial_v_(x.size()) {
+      start_v_(v.begin(), v.end()) {
     for (std::size_t i = 0; i < v_.size(); ++i) {
         if (system.network().fixed[i] != 0) v_[i] = {};
     }
     check_damping();
-    if (!settings_.method->judge.empty())
-        judge_ = std::make_unique<Integrator>(system, *find_method(settings_.method->judge));
     put_on_arms();
     look();
 }
@@ -83,6 +61,7 @@ void Simulation::network_changed() {
     const std::vector<double> before(creep_.begin(), creep_.end());
     put_on_arms();
     if (before.size() == creep_.size()) std::copy(before.begin(), before.end(), creep_.begin());
+    error_.network_changed();
     look();
 }
 
@@ -110,16 +89,13 @@ void Simulation::choose_substep() {
     if (settings_.warn) settings_.warn(plan.warning);
 }
 
-void Simulation::set_substep(double seconds) noexcept { (memory_.empty() ? substep_ : memory_[0]) = seconds; }
-double Simulation::substep() const noexcept { return memory_.empty() ? substep_ : memory_[0]; }
+void Simulation::set_substep(double seconds) noexcept {
+    memory_[0] = seconds;
+    memory_[1] = mark_of(*settings_.method);
+}
+double Simulation::substep() const noexcept { return memory_[0]; }
 const Advice& Simulation::advice() const noexcept { return advice_; }
 std::uint64_t Simulation::steps() const noexcept { return steps_; }
-double Simulation::error_estimate() const noexcept { return error_.estimate() + lost_amplitude(); }
-std::string Simulation::error_method() const {
-    if (!(lost_amplitude() > 0)) return error_.how();
-    return error_.how() + "; vibrations too fast for the steps, which the method damped out with " +
-           number_text(lost_.energy()) + " J: " + number_text(lost_amplitude()) + " m";
-}
 double Simulation::energy_gain() const noexcept { return energy_gain_; }
 
 std::int64_t Simulation::substeps_per_frame() const noexcept {
@@ -127,19 +103,12 @@ std::int64_t Simulation::substeps_per_frame() const noexcept {
 }
 
 std::size_t Simulation::memory_bytes() const noexcept {
-    const std::size_t judge = judge_ != nullptr ? judge_->memory_bytes() : 0;
-    return system_->memory_bytes() + integrator_.memory_bytes() + judge + 4 * x_.size() * sizeof(Vec3);
+    return system_->memory_bytes() + integrator_.memory_bytes() + error_.memory_bytes() +
+           2 * x_.size() * sizeof(Vec3);
 }
 
-bool Simulation::integrate(Integrator& integrator, std::span<Vec3> x, std::span<Vec3> v, std::int64_t count,
-                           StepBudget& budget) {
-    constexpr std::int64_t kStepsPerLook = 256;  // so that a long frame does not go on for nothing
-    const double h = frame_step_ / static_cast<double>(count);
-    for (std::int64_t done = 0; done < count; done += kStepsPerLook) {
-        if (!integrator.advance(x, v, h, std::min(kStepsPerLook, count - done), budget)) return false;
-        if (watch_.first_bad(x, v) < x.size()) return false;
-    }
-    return true;
+FrameRun Simulation::frame_run(std::uint64_t index, std::int64_t steps, const EnergyBalance& balance) const {
+    return {index, steps, start_x_, x_, start_v_, v_, creep_, start_energy_, balance};
 }
 
 void Simulation::advance(std::uint64_t frame, double time) {
@@ -172,31 +141,32 @@ void Simulation::advance_within_tolerance(std::uint64_t frame, double time) {
                         seconds_text(time) + " is kept; ask for a larger tolerance, or an implicit method");
     }
     set_substep(run.next);
-    energy_gain_ += std::max(0.0, balance_energy(*system_, start_energy_, start_x_, x_, v_).gain);
-    error_.add_embedded(run.error, run.steps);
+    const EnergyBalance balance = balance_energy(*system_, start_energy_, start_x_, x_, v_);
+    energy_gain_ += std::max(0.0, balance.gain);
+    error_.add(frame_run(frame, run.steps, balance), advice_.angular_frequency);
 }
 
 void Simulation::advance_in_equal_steps(std::uint64_t frame, double time) {
-    if (frame % kFramesPerAdvice == 0) choose_substep();
+    const bool of_another_method = memory_[1] != mark_of(*settings_.method);
+    if (frame % kFramesPerAdvice == 0 || of_another_method) choose_substep();
     EnergyBalance balance;
     bool finished = run_frame(frame, time, balance);
     if (may_be_unstable() && !(finished && balance.holds()))
         finished = answer_instability(frame, time, finished, balance);
     if (!finished) fail(frame, time);
     energy_gain_ += std::max(0.0, balance.gain);
-    const std::int64_t count = substeps_per_frame();
     steps_ += static_cast<std::uint64_t>(frame_steps_);
-    error_.count_frame();
-    lost_.count_frame();
     system_->get_creep(end_creep_);
-    if (error_.wants(frame)) measure_error(count);
-    if (LostVibrations::samples(frame)) measure_lost_vibrations(count);
+    error_.add(frame_run(frame, substeps_per_frame(), balance), advice_.angular_frequency);
     std::copy(end_creep_.begin(), end_creep_.end(), creep_.begin());
+    system_->set_creep(creep_);
 }
 
 bool Simulation::run_frame(std::uint64_t frame, double time, EnergyBalance& balance) {
+    const std::int64_t count = substeps_per_frame();
     StepBudget budget(settings_.max_substeps, settings_.stop_asked);
-    const bool finished = integrate(integrator_, x_, v_, substeps_per_frame(), budget);
+    const bool finished =
+        advance_watched(integrator_, watch_, x_, v_, frame_step_ / static_cast<double>(count), count, budget);
     if (budget.stopped()) stop(frame, time);
     if (budget.refused()) refuse_parts(frame, time);
     frame_steps_ = budget.taken();
@@ -206,6 +176,10 @@ bool Simulation::run_frame(std::uint64_t frame, double time, EnergyBalance& bala
 }
 
 bool Simulation::may_be_unstable() const noexcept { return !is_bounded() || substep() > bound_step_; }
+
+bool Simulation::leaves_springs_unmet() const noexcept {
+    return !settings_.method->judge.empty() && std::isinf(advice_.stable_step);
+}
 
 bool Simulation::is_bounded() const noexcept { return bound_step_ > 0 && !std::isinf(bound_step_); }
 
@@ -239,8 +213,15 @@ bool Simulation::answer_instability(std::uint64_t frame, double time, bool finis
                             "; the state at t = " + seconds_text(time) +
                             " is kept; choose another method, or " + "ask for a shorter step");
         }
-        sentence += ": it moved out of the arrangement that they were advised for; it is redone at " +
-                    seconds_text(substep()) + (is_bounded() ? ", stable in every arrangement" : "");
+        sentence +=
+            leaves_springs_unmet()
+                ? ": " + std::string(settings_.method->name) +
+                      " corrects each spring once a step, which left too much undone; it is redone, and "
+                      "goes on, at " +
+                      seconds_text(substep()) +
+                      "; on_unstable = \"as_asked\" keeps the steps, and an implicit method needs fewer"
+                : ": it moved out of the arrangement that they were advised for; it is redone at " +
+                      seconds_text(substep()) + (is_bounded() ? ", stable in every arrangement" : "");
         warn_of_gain(sentence);
         return true;
     }
@@ -261,64 +242,6 @@ void Simulation::warn_of_gain(const std::string& sentence) {
 void Simulation::restore_start() noexcept {
     std::copy(start_x_.begin(), start_x_.end(), x_.begin());
     std::copy(start_v_.begin(), start_v_.end(), v_.begin());
-    system_->set_creep(creep_);
-}
-
-void Simulation::measure_error(std::int64_t count) {
-    const Stopwatch watch(error_seconds_);
-    start_trial();
-    constexpr std::int64_t kMostJudged = 128;  // steps of an implicit method: what these err may count too
-    StepBudget budget(2 * settings_.max_substeps, settings_.stop_asked);
-    const bool redone = judge_ != nullptr
-                            ? integrate(*judge_, trial_x_, trial_v_, std::min(count, kMostJudged), budget)
-                            : integrate(integrator_, trial_x_, trial_v_, 2 * count, budget);
-    system_->set_creep(end_creep_);
-    if (budget.stopped()) return;  // the run ends: the samples so far stand for this frame too
-    if (!redone)
-        error_.add_unknown();
-    else if (judge_ != nullptr)
-        error_.add_judged(x_, trial_x_, v_, trial_v_, frame_step_);
-    else
-        error_.add(x_, trial_x_, integrator_.order());
-}
-
-void Simulation::measure_lost_vibrations(std::int64_t count) {
-    const Stopwatch watch(error_seconds_);
-    const bool followed = substep() * advice_.angular_frequency < LostVibrations::kFollowed;
-    const bool in_the_books = creep_.empty();  // dashpots take energy that they do not know
-    double whole = 0, halved = 0, rounding = 0;
-    if (!followed && in_the_books) whole = unexplained_loss(count, rounding);
-    if (whole > rounding) halved = unexplained_loss(2 * count, rounding);
-    lost_.add(whole, halved, rounding);
-}
-
-double Simulation::unexplained_loss(std::int64_t count, double& rounding) {
-    const double h = frame_step_ / static_cast<double>(count);
-    start_trial();
-    double explained = 0;
-    double before = dissipated_power(*system_, trial_x_, trial_v_);
-    for (std::int64_t i = 0; i < count; ++i) {
-        integrator_.advance(trial_x_, trial_v_, h, 1);
-        const double after = dissipated_power(*system_, trial_x_, trial_v_);
-        explained += h / 2 * (before + after);
-        before = after;
-    }
-    const EnergyBalance balance = balance_energy(*system_, start_energy_, start_x_, trial_x_, trial_v_);
-    rounding = balance.rounding;
-    return -balance.gain - explained;
-}
-
-double Simulation::lost_amplitude() const noexcept {
-    double lightest = std::numeric_limits<double>::infinity();
-    const Network& network = system_->network();
-    for (std::size_t i = 0; i < network.size(); ++i)
-        if (network.fixed[i] == 0) lightest = std::min(lightest, network.mass[i]);
-    return lost_.amplitude(lightest, advice_.angular_frequency);
-}
-
-void Simulation::start_trial() noexcept {
-    std::copy(start_x_.begin(), start_x_.end(), trial_x_.begin());
-    std::copy(start_v_.begin(), start_v_.end(), trial_v_.begin());
     system_->set_creep(creep_);
 }
 
@@ -346,12 +269,13 @@ void Simulation::fail(std::uint64_t frame, double time) {
     const double h = substep();
     const std::size_t bad_at_end = watch_.first_bad(x_, v_);
     restore_start();
+    std::vector<Vec3> before_x(x_.size()), before_v(v_.size());
     std::int64_t done = 0;
     std::size_t bad = x_.size();
     StepBudget budget(settings_.max_substeps, settings_.stop_asked);
     while (bad == x_.size() && done < count && !budget.refused()) {
-        std::copy(x_.begin(), x_.end(), trial_x_.begin());
-        std::copy(v_.begin(), v_.end(), trial_v_.begin());
+        std::copy(x_.begin(), x_.end(), before_x.begin());
+        std::copy(v_.begin(), v_.end(), before_v.begin());
         integrator_.advance(x_, v_, frame_step_ / static_cast<double>(count), 1, budget);
         bad = watch_.first_bad(x_, v_);
         ++done;
@@ -364,7 +288,7 @@ void Simulation::fail(std::uint64_t frame, double time) {
         what = "the position of particle " + std::to_string(bad) +
                " left for more than a million times the extent";
     } else {
-        const Culprit culprit = find_culprit(*system_, trial_x_, trial_v_, bad);
+        const Culprit culprit = find_culprit(*system_, before_x, before_v, bad);
         what = "the ";
         what += culprit.term;
         what += " on particle " + std::to_string(culprit.particle) + " stopped it being finite";

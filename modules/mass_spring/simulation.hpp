@@ -1,18 +1,17 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "adviser.hpp"
 #include "energy_balance.hpp"
-#include "error_meter.hpp"
 #include "integrator.hpp"
-#include "lost_vibrations.hpp"
 #include "method.hpp"
+#include "run_error.hpp"
 #include "simulation_settings.hpp"
 #include "spring_system.hpp"
 #include "watch.hpp"
@@ -20,7 +19,7 @@
 namespace orbweaver::mass_spring {
 
 /// Doubles that a simulation remembers between frames, besides x and v.
-inline constexpr std::size_t kSimulationMemory = 1;
+inline constexpr std::size_t kSimulationMemory = 2;
 /// How often the stable step is looked up again while a system moves.
 inline constexpr std::uint64_t kFramesPerAdvice = 64;
 
@@ -31,9 +30,10 @@ inline constexpr std::uint64_t kFramesPerAdvice = 64;
 class Simulation {
 public:
     /// `memory` is kSimulationMemory doubles of the owner's state: the substep in use (s), which is chosen
-    /// anew at every frame whose index is a multiple of kFramesPerAdvice. When it is saved and restored with
-    /// x and v, a restored run takes the substeps of the run that never stopped. Empty: kept here, and lost.
-    /// `creep` is as many doubles of the owner's state as the network has springs where it has arms (m, see
+    /// anew at every frame whose index is a multiple of kFramesPerAdvice, and the mark of the method that it
+    /// was chosen for. When they are saved and restored with x and v, a restored run takes the substeps of the
+    /// run that never stopped; by another method it chooses its own. Empty: kept here, and lost. `creep` is as
+    /// many doubles of the owner's state as the network has springs where it has arms (m, see
     /// SpringSystem::get_creep()), which are put on at x. Another number: kept here, and lost.
     /// A step longer than a frame counts as one frame. Velocities of fixed particles are set to zero.
     /// Throws Fault(invalid) when a tolerance is asked of a network with arms or an undamped method of a
@@ -42,6 +42,9 @@ public:
     /// would need more than max_substeps.
     Simulation(SpringSystem& system, SimulationSettings settings, double frame_step, std::span<Vec3> x,
                std::span<Vec3> v, std::span<double> memory = {}, std::span<double> creep = {});
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+    ~Simulation() = default;
 
     /// From `time` to `time` + frame_step. On the first value that is not finite, or position that left for
     /// 1e6 times the system's extent, restores the frame's start in x and v and throws Fault(diverged)
@@ -68,11 +71,11 @@ public:
     double substep() const noexcept;       ///< s, in use now
     /// Largest position error expected at the run's end, m: what the steps' own estimates add up to within a
     /// tolerance; else order-aware step doubling on sampled frames, or what the method's judge makes of them,
-    /// each standing for those since the one before, and the size of vibrations that were lost (see
+    /// each standing for those since the one before, and what vibrations did that were lost (see
     /// LostVibrations). Not a bound where the system itself is chaotic.
-    double error_estimate() const noexcept;
-    std::string error_method() const;                                 ///< how, over how many frames
-    double error_seconds() const noexcept { return error_seconds_; }  ///< wall time that the estimate took
+    double error_estimate() const noexcept { return error_.estimate(); }
+    std::string error_method() const { return error_.how(); }           ///< how, over how many frames
+    double error_seconds() const noexcept { return error_.seconds(); }  ///< wall time that the estimate took
     /// J that came from nowhere, summed over the frames that gained.
     double energy_gain() const noexcept;
     std::size_t memory_bytes() const noexcept;
@@ -87,29 +90,20 @@ private:
     void advance_in_equal_steps(std::uint64_t frame, double time);
     void set_substep(double seconds) noexcept;
     std::int64_t substeps_per_frame() const noexcept;
-    /// `count` steps over one frame from x, v; false as soon as a value is found to mean nothing, or the budget
-    /// refuses one.
-    bool integrate(Integrator& integrator, std::span<Vec3> x, std::span<Vec3> v, std::int64_t count,
-                   StepBudget& budget);
     /// As many steps as plan; false when it could not be finished. The balance is of the whole frame.
     bool run_frame(std::uint64_t frame, double time, EnergyBalance& balance);
     /// Whether there is a step that is stable in every arrangement.
     bool is_bounded() const noexcept;
     /// Whether energy from nowhere could be the step's doing.
     bool may_be_unstable() const noexcept;
+    /// Whether energy from nowhere is no instability, but what a sweep over the springs left undone.
+    bool leaves_springs_unmet() const noexcept;
     bool redo_shorter(std::uint64_t frame, double time, bool finished, EnergyBalance& balance);
     /// What on_unstable says of a frame that can be no motion, run at steps that may be too long.
     bool answer_instability(std::uint64_t frame, double time, bool finished, EnergyBalance& balance);
     void warn_of_gain(const std::string& sentence);
     void restore_start() noexcept;
-    /// Puts the trial to the frame's start.
-    void start_trial() noexcept;
-    void measure_error(std::int64_t count);
-    void measure_lost_vibrations(std::int64_t count);
-    /// J that the frame lost from its start on in `count` steps, to neither drag nor damping; `rounding` J of
-    /// it mean nothing. Not finite where values are not.
-    double unexplained_loss(std::int64_t count, double& rounding);
-    double lost_amplitude() const noexcept;
+    FrameRun frame_run(std::uint64_t index, std::int64_t steps, const EnergyBalance& balance) const;
     [[noreturn]] void stop(std::uint64_t frame, double time);
     [[noreturn]] void refuse_parts(std::uint64_t frame, double time);
     [[noreturn]] void fail(std::uint64_t frame, double time);
@@ -118,26 +112,22 @@ private:
     SimulationSettings settings_;
     double frame_step_;
     std::span<Vec3> x_, v_;
+    std::array<double, kSimulationMemory> own_memory_{};
     std::span<double> memory_;
     std::vector<double> own_creep_;
     std::span<double> creep_;  ///< m, at the frame's start
     Energy start_energy_;
-    double substep_ = 0;  ///< in use when there is no memory_
     Integrator integrator_;
     Watch watch_;
-    ErrorMeter error_;
-    std::unique_ptr<Integrator> judge_;  ///< null: the method itself, at half the step
-    LostVibrations lost_;
+    RunError error_;
     Advice advice_;
     double bound_step_ = 0;  ///< s, stable in every arrangement
     bool warned_ = false;
     bool warned_of_gain_ = false;
     double energy_gain_ = 0;
-    double error_seconds_ = 0;
     std::uint64_t steps_ = 0;
     std::int64_t frame_steps_ = 0;         ///< that the frame took when it was last run, parts of steps counted
     std::vector<Vec3> start_x_, start_v_;  ///< the last good state
-    std::vector<Vec3> trial_x_, trial_v_;  ///< of a frame redone
     std::vector<double> end_creep_;        ///< m, while a frame is redone
 };
 

@@ -56,6 +56,16 @@ std::size_t Watch::first_bad(std::span<const Vec3> x, std::span<const Vec3> v) c
     return x.size();
 }
 
+bool advance_watched(Integrator& integrator, const Watch& watch, std::span<Vec3> x, std::span<Vec3> v, double h,
+                     std::int64_t count, StepBudget& budget) {
+    constexpr std::int64_t kStepsPerLook = 256;  // so that a long frame does not go on for nothing
+    for (std::int64_t done = 0; done < count; done += kStepsPerLook) {
+        if (!integrator.advance(x, v, h, std::min(kStepsPerLook, count - done), budget)) return false;
+        if (watch.first_bad(x, v) < x.size()) return false;
+    }
+    return true;
+}
+
 Culprit find_culprit(const SpringSystem& system, std::span<const Vec3> x, std::span<const Vec3> v,
                      std::size_t first_bad) {
     std::vector<Vec3> f(x.size());

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
+#include "integrator.hpp"
 #include "spring_system.hpp"
 
 namespace orbweaver::mass_spring {
@@ -21,6 +23,11 @@ private:
     Vec3 middle_;
     double reach_ = 0;
 };
+
+/// `count` steps of h seconds from x, v in place; false as soon as a value is found to mean nothing, or the
+/// budget refuses a step.
+bool advance_watched(Integrator& integrator, const Watch& watch, std::span<Vec3> x, std::span<Vec3> v, double h,
+                     std::int64_t count, StepBudget& budget);
 
 /// Which particle went bad first, and by which term of its equation.
 struct Culprit {

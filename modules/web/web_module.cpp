@@ -99,7 +99,7 @@ private:
         position_ = host.state().vectors("position", count, {"m", "positions of the web's particles"});
         velocity_ = host.state().vectors("velocity", count, {"m/s", "velocities of the web's particles"});
         substep_ = host.state().scalars("substep", mass_spring::kSimulationMemory,
-                                        {"s", "step of the method in use", false});
+                                        {"s", "step in use, and the mark of its method", false});
         if (has_arms(web_.network))
             creep_ = host.state().scalars("creep", web_.network.springs.size(),
                                           {"m", "extensions at which the threads' hysteresis bears nothing"});

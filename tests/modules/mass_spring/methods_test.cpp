@@ -100,3 +100,12 @@ TEST_CASE("every method follows a free fall", "[unit]") {
         CHECK(body.x[0].y == Approx(-5).epsilon(info.order > 1 ? 1e-12 : 1.1e-3));  // Euler: g h t/2 off
     }
 }
+
+TEST_CASE("a method's mark finds it again, and is its own", "[unit]") {
+    for (const MethodInfo& info : methods()) {
+        INFO(info.name);
+        CHECK(find_marked_method(mark_of(info)) == &info);
+    }
+    CHECK(find_marked_method(0) == nullptr);
+    CHECK(mark_of(*find_method("rk4")) == mark_of({"rk4", 0, 0, 0, nullptr}));
+}
