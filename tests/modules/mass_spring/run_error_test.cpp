@@ -1,0 +1,68 @@
+#include "run_error.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "bodies.hpp"
+#include "simulation.hpp"
+
+using bodies::Body;
+using namespace orbweaver;
+using namespace orbweaver::mass_spring;
+
+namespace {
+
+constexpr double kFrame = 1.0 / 60;
+
+/// A taut string whose links are damped, in a steady wind across it that is put on at the start, with drag.
+struct Run {
+    std::vector<Vec3> x;
+    double estimate = 0;  ///< m
+    std::string how;
+};
+
+Run blow(const char* method, double step, double tolerance, int frames) {
+    Body body = bodies::bead_string(9, 0.01, 1e-6, 500, 0.01);
+    for (Spring& s : body.network.springs) s.damping = 1e-4;
+    const std::vector<Vec3> wind(body.x.size(), Vec3{0, 2e-4, 0});
+    SpringSystem system(body.network, nullptr);
+    system.set_surroundings({{}, 1e-4, wind});
+    SimulationSettings settings;
+    settings.method = find_method(method);
+    settings.step = step;
+    settings.tolerance = tolerance;
+    Simulation run(system, settings, kFrame, body.x, body.v);
+    for (int i = 0; i < frames; ++i) run.advance(static_cast<std::uint64_t>(i), i * kFrame);
+    return {body.x, run.error_estimate(), run.error_method()};
+}
+
+double error_of(const Run& run, const Run& exact) {
+    double largest = 0;
+    for (std::size_t i = 0; i < run.x.size(); ++i) largest = std::max(largest, distance(run.x[i], exact.x[i]));
+    return largest;
+}
+
+}  // namespace
+
+TEST_CASE("what a run is off by while it moves is told within a few times", "[unit]") {
+    struct Case {
+        const char* method;
+        double step, tolerance;
+    };
+    const Run exact = blow("tr_bdf2", 2e-5, 0, 2);
+    for (const Case& each : {Case{"implicit_euler", 1e-3, 0}, {"tr_bdf2", 1e-3, 0}, {"tr_bdf2", 0, 1e-6}}) {
+        INFO(each.method << ", " << each.step << " s, within " << each.tolerance << " m");
+        const Run run = blow(each.method, each.step, each.tolerance, 2);
+        const double error = error_of(run, exact);
+        INFO("off by " << error << " m, told " << run.estimate << " m: " << run.how);
+        CHECK(run.estimate > error / 2);
+        CHECK(run.estimate < 10 * error);
+    }
+}
+
+TEST_CASE("errors that the motion's own damping takes do not add up over a long run", "[unit]") {
+    // At rest in the wind after a second: what the first frames erred by is long forgotten.
+    const double soon = blow("implicit_euler", 1e-3, 0, 60).estimate;
+    const double late = blow("implicit_euler", 1e-3, 0, 600).estimate;
+    CHECK(late < 1.1 * soon);
+}
