@@ -133,6 +133,9 @@ EigenPair largest_eigenpair(const SymmetricOperator& apply, std::span<const Vec3
     Recurrence recurrence(apply, start);
     Tridiagonal t;
     const std::size_t limit = std::min(kMaxSteps, 3 * start.size());
+    // Where eigenvalues crowd, the vector goes on turning among them long after the value stands.
+    constexpr std::size_t kStepsPerStand = 20, kFewest = 60;
+    double stood = 0;
     for (;;) {
         const bool more = recurrence.step(t);
         const bool last = !more || t.size() >= limit;
@@ -141,7 +144,13 @@ EigenPair largest_eigenpair(const SymmetricOperator& apply, std::span<const Vec3
         const double shift = value + 1e-12 * std::abs(value) + std::numeric_limits<double>::min();
         const std::vector<double> weights = eigenvector(t, shift);
         const double residual = t.off.back() * std::abs(weights.back());
-        if (last || residual <= tolerance * std::abs(value)) return {value, combine(apply, start, weights)};
+        bool stands = false;
+        if (t.size() % kStepsPerStand == 0) {
+            stands = t.size() >= kFewest && value - stood <= tolerance * std::abs(value);
+            stood = value;
+        }
+        if (last || stands || residual <= tolerance * std::abs(value))
+            return {value, combine(apply, start, weights)};
     }
 }
 

@@ -31,6 +31,7 @@ Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double
     check_damping();
     put_on_arms();
     look();
+    advice_holds_ = true;
 }
 
 void Simulation::check_damping() const {
@@ -62,6 +63,7 @@ void Simulation::network_changed() {
     put_on_arms();
     if (before.size() == creep_.size()) std::copy(before.begin(), before.end(), creep_.begin());
     error_.network_changed();
+    advice_holds_ = false;
     look();
 }
 
@@ -81,7 +83,7 @@ void Simulation::choose_first_step() {
 }
 
 void Simulation::choose_substep() {
-    advice_ = advise(*system_, x_, *settings_.method);
+    if (!advice_holds_) advice_ = advise(*system_, x_, *settings_.method);
     const SubstepPlan plan = plan_substeps(settings_, advice_, frame_step_);
     set_substep(frame_step_ / static_cast<double>(plan.count));
     if (plan.warning.empty() || warned_) return;
@@ -112,6 +114,7 @@ FrameRun Simulation::frame_run(std::uint64_t index, std::int64_t steps, const En
 }
 
 void Simulation::advance(std::uint64_t frame, double time) {
+    advice_holds_ = advice_holds_ && std::equal(x_.begin(), x_.end(), start_x_.begin());
     std::copy(x_.begin(), x_.end(), start_x_.begin());
     std::copy(v_.begin(), v_.end(), start_v_.begin());
     system_->set_creep(creep_);
@@ -149,6 +152,7 @@ void Simulation::advance_within_tolerance(std::uint64_t frame, double time) {
 void Simulation::advance_in_equal_steps(std::uint64_t frame, double time) {
     const bool of_another_method = memory_[1] != mark_of(*settings_.method);
     if (frame % kFramesPerAdvice == 0 || of_another_method) choose_substep();
+    advice_holds_ = false;
     EnergyBalance balance;
     bool finished = run_frame(frame, time, balance);
     if (may_be_unstable() && !(finished && balance.holds()))

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "bodies.hpp"
 #include "integrator.hpp"
+#include "simulation.hpp"
 
 using bodies::Body;
 using namespace orbweaver;
@@ -46,4 +48,22 @@ TEST_CASE("a net of 200,000 particles moves by every method alike", "[extreme]")
         CHECK(std::all_of(body.x.begin(), body.x.end(), finite));
         CHECK(std::all_of(body.v.begin(), body.v.end(), finite));
     }
+}
+
+TEST_CASE("a simulation of 200,000 particles advises its step, runs and tells its error", "[extreme]") {
+    Body body = large_net();
+    const std::vector<Vec3> wind(body.x.size(), Vec3{0, 0, 1e-8});
+    SpringSystem system(body.network, nullptr);
+    system.set_surroundings({{}, 0, wind});
+    constexpr double kFrame = 1e-3;  // s
+    SimulationSettings settings;
+    settings.method = find_method("verlet");
+    Simulation run(system, settings, kFrame, body.x, body.v);
+    // Neighbors all move against each other: along their line by k, across it by the tension over the length.
+    constexpr double kAlong = 0.1, kAcross = 0.1 * (1 - 1 / 1.02), kMass = 1e-9;
+    CHECK(run.advice().angular_frequency == Approx(std::sqrt(4 * (kAlong + kAcross) / kMass)).epsilon(2e-4));
+    run.advance(0, 0);
+    const std::size_t middle = body.x.size() / 2 + 250;
+    CHECK(body.x[middle].z == Approx(0.5 * 10 * kFrame * kFrame).epsilon(1e-6));
+    CHECK(run.error_estimate() < 1e-8);
 }
