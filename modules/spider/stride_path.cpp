@@ -1,0 +1,73 @@
+#include "stride_path.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "orbweaver/exact_math.hpp"
+
+namespace orbweaver::spider {
+namespace {
+
+constexpr double kTurn = 360;  // degrees
+constexpr double kPi = 3.14159265358979323846;
+
+SwingPoint cycloid(double s) noexcept {
+    return {s - sin_degrees(kTurn * s) / (2 * kPi), (1 - cos_degrees(kTurn * s)) / 2};
+}
+
+SwingPoint arc(double s) noexcept { return {s, 4 * s * (1 - s)}; }
+
+/// Eased at both ends.
+double smooth(double s) noexcept { return s * s * (3 - 2 * s); }
+
+SwingPoint reach(double s) noexcept {
+    // Highest at a third of the way, where little of the length is done.
+    const double rise = 27.0 / 4 * s * (1 - s) * (1 - s);
+    return {smooth(s) * smooth(s), rise};
+}
+
+SwingPoint creep(double s) noexcept {
+    const double late = 27.0 / 4 * s * s * (1 - s);
+    return {1 - (1 - smooth(s)) * (1 - smooth(s)), late};
+}
+
+/// v without its part along `unit`.
+Vec3 across(const Vec3& v, const Vec3& unit) noexcept { return v - dot(v, unit) * unit; }
+
+/// Unit, or nothing where there is no direction.
+Vec3 direction_of(const Vec3& v) noexcept {
+    constexpr double kLeast = 1e-9;
+    const double length = norm(v);
+    return length > kLeast ? v / length : Vec3{};
+}
+
+}  // namespace
+
+std::span<const StridePath> stride_paths() noexcept {
+    static constexpr std::array<StridePath, 4> table{
+        {{"cycloid", cycloid}, {"arc", arc}, {"reach", reach}, {"creep", creep}}};
+    return table;
+}
+
+const StridePath* find_stride_path(std::string_view name) noexcept {
+    const auto all = stride_paths();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const StridePath& p) { return p.name == name; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+Vec3 foot_at(const StridePath& path, const Swing& swing, double progress) noexcept {
+    if (!(progress > 0)) return swing.start;
+    if (progress >= 1) return swing.end;
+    const SwingPoint point = path.point(progress);
+    const Vec3 way = swing.end - swing.start;
+    const Vec3 along = direction_of(way);
+    // The ups of both ends, turned into the plane of the stride.
+    const Vec3 up =
+        direction_of(across((1 - point.along) * swing.start_up + point.along * swing.end_up, along));
+    const Vec3 first = direction_of(across(swing.start_up, along));
+    const Vec3 rise = up == Vec3{} ? first : up;
+    return swing.start + point.along * way + swing.height * point.height * rise;
+}
+
+}  // namespace orbweaver::spider
