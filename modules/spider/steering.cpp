@@ -1,0 +1,133 @@
+#include "steering.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orbweaver::spider {
+namespace {
+
+Vec3 across(const Vec3& v, const Vec3& unit) noexcept { return v - dot(v, unit) * unit; }
+
+/// Of that length, or nothing where v has no direction.
+Vec3 scaled_to(const Vec3& v, double length) noexcept {
+    const double own = norm(v);
+    return own > 0 ? (length / own) * v : Vec3{};
+}
+
+Vec3 at_most(const Vec3& v, double length) noexcept { return norm(v) > length ? scaled_to(v, length) : v; }
+
+/// Where `other` is when the agent could be there.
+Vec3 foreseen(const Agent& agent, const Agent& other, double horizon) noexcept {
+    const double way = distance(agent.position, other.position);
+    const double time = agent.top_speed > 0 ? std::min(horizon, way / agent.top_speed) : 0;
+    return other.position + time * other.velocity;
+}
+
+Vec3 nearest_on(const Vec3& a, const Vec3& b, const Vec3& point, double& share) noexcept {
+    const Vec3 way = b - a;
+    const double square = dot(way, way);
+    share = square > 0 ? std::clamp(dot(point - a, way) / square, 0.0, 1.0) : 0;
+    return a + share * way;
+}
+
+}  // namespace
+
+Vec3 seek(const Agent& agent, const Vec3& target) noexcept {
+    return scaled_to(across(target - agent.position, agent.up), agent.top_speed);
+}
+
+Vec3 flee(const Agent& agent, const Vec3& target) noexcept { return -1 * seek(agent, target); }
+
+Vec3 arrive(const Agent& agent, const Vec3& target, double slowing) noexcept {
+    const Vec3 way = across(target - agent.position, agent.up);
+    const double share = slowing > 0 ? std::min(1.0, norm(way) / slowing) : 1;
+    return scaled_to(way, share * agent.top_speed);
+}
+
+Vec3 pursue(const Agent& agent, const Agent& quarry, double horizon) noexcept {
+    return seek(agent, foreseen(agent, quarry, horizon));
+}
+
+Vec3 evade(const Agent& agent, const Agent& hunter, double horizon) noexcept {
+    return flee(agent, foreseen(agent, hunter, horizon));
+}
+
+Vec3 follow_path(const Agent& agent, std::span<const Vec3> points, double ahead) noexcept {
+    if (points.empty()) return {};
+    std::size_t nearest = 0;
+    double share = 0, least = HUGE_VAL;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        double here = 0;
+        const double off = distance(nearest_on(points[i], points[i + 1], agent.position, here), agent.position);
+        if (off >= least) continue;
+        least = off;
+        nearest = i;
+        share = here;
+    }
+    double left = ahead;
+    for (std::size_t i = nearest; i + 1 < points.size(); ++i, share = 0) {
+        const double length = distance(points[i], points[i + 1]), rest = (1 - share) * length;
+        if (left <= rest && length > 0)
+            return seek(agent, points[i] + (share + left / length) * (points[i + 1] - points[i]));
+        left -= rest;
+    }
+    return arrive(agent, points.back(), ahead);
+}
+
+Vec3 avoid_obstacles(const Agent& agent, std::span<const Obstacle> obstacles, double horizon) noexcept {
+    const double speed = norm(agent.velocity);
+    if (speed == 0) return {};
+    const Vec3 ahead = agent.velocity / speed;
+    const Obstacle* nearest = nullptr;
+    double nearest_way = speed * horizon;
+    for (const Obstacle& each : obstacles) {
+        const Vec3 to = across(each.center - agent.position, agent.up);
+        const double way = dot(to, ahead);
+        const double beside = norm(to - way * ahead);
+        if (way <= 0 || way - each.radius >= nearest_way || beside >= each.radius) continue;
+        nearest = &each;
+        nearest_way = way - each.radius;
+    }
+    if (nearest == nullptr) return {};
+    const Vec3 to = across(nearest->center - agent.position, agent.up);
+    const Vec3 away = -1 * across(to, ahead);
+    // Dead ahead there is no side: to the left.
+    const Vec3 side = norm(away) > 1e-9 * nearest->radius ? away : cross(agent.up, ahead);
+    return scaled_to(side, agent.top_speed);
+}
+
+Vec3 keep_apart(const Agent& agent, std::span<const Vec3> others, double reach) noexcept {
+    Vec3 sum;
+    for (const Vec3& other : others) {
+        const Vec3 away = across(agent.position - other, agent.up);
+        const double off = norm(away);
+        if (off > 0 && off < reach) sum += (1 - off / reach) / off * away;
+    }
+    return at_most(agent.top_speed * sum, agent.top_speed);
+}
+
+Vec3 control(const Agent& agent, std::span<const Wish> wishes, double response, double strength) noexcept {
+    Vec3 sum;
+    double weights = 0;
+    for (const Wish& wish : wishes) {
+        if (wish.velocity == Vec3{}) continue;
+        sum += wish.weight * wish.velocity;
+        weights += wish.weight;
+    }
+    if (weights == 0) return {};
+    const Vec3 wanted = at_most(sum / weights, agent.top_speed);
+    return at_most((wanted - agent.velocity) / response, strength);
+}
+
+Vec3 accelerate(const Agent& agent, const Vec3& control, double dt) noexcept {
+    return at_most(across(agent.velocity + dt * control, agent.up), agent.top_speed);
+}
+
+double caution(double degrees, double distance, double reach, double slowest) noexcept {
+    if (!(distance < reach)) return 1;
+    const double sharp = std::clamp(degrees / 90, 0.0, 1.0);
+    const double near = 1 - std::max(0.0, distance) / reach;
+    return 1 - (1 - slowest) * sharp * near;
+}
+
+}  // namespace orbweaver::spider

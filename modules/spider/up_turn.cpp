@@ -1,0 +1,102 @@
+#include "up_turn.hpp"
+
+#include <algorithm>
+
+#include "orbweaver/exact_math.hpp"
+
+namespace orbweaver::spider {
+namespace {
+
+constexpr double kSame = 1e-12;
+
+Vec3 unit(const Vec3& v) noexcept { return v / norm(v); }
+
+/// Between unit vectors that are not opposite.
+Vec3 middle(const Vec3& a, const Vec3& b) noexcept { return unit(a + b); }
+
+double eased(TurnCurve curve, double share) noexcept {
+    switch (curve) {
+        case TurnCurve::cosine:
+            return (1 - cos_degrees(180 * share)) / 2;
+        case TurnCurve::slow_in_slow_out:
+            return share * share * (3 - 2 * share);
+        case TurnCurve::linear:
+            break;
+    }
+    return share;
+}
+
+/// The most that a step of the curve does, times the number of steps.
+double steepest(TurnCurve curve) noexcept {
+    constexpr double kHalfPi = 1.5707963267948966;
+    return curve == TurnCurve::linear ? 1 : curve == TurnCurve::cosine ? kHalfPi : 1.5;
+}
+
+bool is_opposite(const Vec3& a, const Vec3& b) noexcept { return norm(a + b) < 1e-6; }
+
+/// Degrees between unit vectors, from above, within a hundredth.
+double angle_between(const Vec3& a, const Vec3& b) noexcept {
+    constexpr double kDegree = 57.29577951308232;
+    if (dot(a, b) < 0) {
+        if (is_opposite(a, b)) return 180;
+        return 2 * angle_between(a, middle(a, b));
+    }
+    const Vec3 quarter = middle(a, middle(a, b));
+    const double chord = distance(a, quarter);  // of at most 22.5 degrees
+    return 4 * kDegree * chord * (1 + chord * chord / 23);
+}
+
+Vec3 on_the_way(const UpTurn& turn, const Vec3& forward, double share) noexcept {
+    if (!is_opposite(turn.from, turn.to)) return turned_between(turn.from, turn.to, share);
+    const Vec3 ahead = unit(forward - dot(forward, turn.from) * turn.from);
+    return share < 0.5 ? turned_between(turn.from, ahead, 2 * share)
+                       : turned_between(ahead, turn.to, 2 * share - 1);
+}
+
+}  // namespace
+
+Vec3 turned_between(const Vec3& a, const Vec3& b, double share) noexcept {
+    constexpr int kHalvings = 52;
+    if (share <= 0) return a;
+    if (share >= 1) return b;
+    Vec3 low = a, high = b;
+    for (int i = 0; i < kHalvings && !(low == high); ++i) {
+        const Vec3 half = middle(low, high);
+        share *= 2;
+        if (share < 1) {
+            high = half;
+        } else {
+            low = half;
+            share -= 1;
+        }
+        if (share == 0) return low;
+    }
+    return low;
+}
+
+void turn_up(const Vec3& wanted, const Vec3& forward, TurnCurve curve, std::uint32_t steps, double most_degrees,
+             UpTurn& turn) noexcept {
+    const bool leads_there = turn.steps > 0 && distance(turn.to, wanted) < kSame;
+    if (!leads_there) {
+        if (distance(turn.up, wanted) < kSame) {
+            turn.steps = 0;
+            return;
+        }
+        const double needed = angle_between(turn.up, wanted) * steepest(curve) / most_degrees;
+        constexpr double kMost = 1e6;
+        turn.from = turn.up;
+        turn.to = wanted;
+        turn.step = 0;
+        turn.steps = std::max({1U, steps, static_cast<std::uint32_t>(std::min(needed, kMost)) + 1});
+    }
+    ++turn.step;
+    if (turn.step >= turn.steps) {
+        turn.up = turn.to;
+        turn.steps = 0;
+        return;
+    }
+    const double share = static_cast<double>(turn.step) / turn.steps;
+    turn.up = on_the_way(turn, forward, eased(curve, share));
+}
+
+}  // namespace orbweaver::spider

@@ -1,0 +1,83 @@
+#include "up_turn.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace orbweaver;
+using namespace orbweaver::spider;
+
+namespace {
+
+double degrees_between(const Vec3& a, const Vec3& b) {
+    return std::atan2(norm(cross(a, b)), dot(a, b)) * 180 / M_PI;
+}
+
+}  // namespace
+
+TEST_CASE("a share of the way on a great circle is that share of its angle", "[unit]") {
+    const Vec3 a{0, 1, 0};
+    for (const double degrees : {1e-3, 20.0, 90.0, 150.0, 179.0}) {
+        const double angle = degrees * M_PI / 180;
+        const Vec3 b{std::sin(angle), std::cos(angle), 0};
+        for (const double share : {0.1, 0.25, 0.5, 0.7, 0.99}) {
+            const Vec3 between = turned_between(a, b, share);
+            CHECK(degrees_between(a, between) == Approx(share * degrees).margin(1e-12));
+            CHECK(norm(between) == Approx(1).epsilon(1e-15));
+        }
+        CHECK(turned_between(a, b, 0) == a);
+        CHECK(turned_between(a, b, 1) == b);
+    }
+}
+
+TEST_CASE("a turn takes its steps, along its curve, and ends at the bit", "[unit]") {
+    const Vec3 side{1, 0, 0};
+    for (const TurnCurve curve : {TurnCurve::linear, TurnCurve::cosine, TurnCurve::slow_in_slow_out}) {
+        UpTurn turn;
+        for (int i = 1; i <= 30; ++i) {
+            turn_up(side, {0, 0, 1}, curve, 30, 90, turn);
+            const double s = i / 30.0;
+            const double share = curve == TurnCurve::linear   ? s
+                                 : curve == TurnCurve::cosine ? (1 - std::cos(M_PI * s)) / 2
+                                                              : s * s * (3 - 2 * s);
+            CHECK(degrees_between({0, 1, 0}, turn.up) == Approx(90 * share).margin(1e-11));
+        }
+        CHECK(turn.up == side);
+        turn_up(side, {0, 0, 1}, curve, 30, 90, turn);
+        CHECK(turn.up == side);
+    }
+}
+
+TEST_CASE("no step turns by more than the set rate, whatever is asked when", "[unit]") {
+    constexpr double kMost = 4;  // degrees
+    for (const TurnCurve curve : {TurnCurve::linear, TurnCurve::cosine, TurnCurve::slow_in_slow_out}) {
+        UpTurn turn;
+        const Vec3 wanted[] = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0.6, 0.8}};
+        for (int i = 0; i < 600; ++i) {
+            const Vec3 before = turn.up;
+            const Vec3 forward = std::abs(before.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
+            turn_up(wanted[i / 17 % 6], forward, curve, 5, kMost, turn);
+            CHECK(degrees_between(before, turn.up) <= kMost * (1 + 1e-9));
+            CHECK(norm(turn.up) == Approx(1).epsilon(1e-14));
+        }
+    }
+}
+
+TEST_CASE("a new polygon before the turn has ended begins another from where the body is", "[unit]") {
+    UpTurn turn;
+    for (int i = 0; i < 5; ++i) turn_up({1, 0, 0}, {0, 0, 1}, TurnCurve::linear, 10, 90, turn);
+    const Vec3 before = turn.up;
+    turn_up({0, 0, 1}, {0, 0, 1}, TurnCurve::linear, 10, 90, turn);
+    CHECK(turn.from == before);
+    CHECK(turn.step == 1);
+    for (int i = 0; i < 9; ++i) turn_up({0, 0, 1}, {0, 0, 1}, TurnCurve::linear, 10, 90, turn);
+    CHECK(turn.up == Vec3{0, 0, 1});
+}
+
+TEST_CASE("from one side of a sheet to the other the body turns over its front", "[unit]") {
+    UpTurn turn;
+    for (int i = 0; i < 10; ++i) turn_up({0, -1, 0}, {0, 0, 1}, TurnCurve::linear, 20, 90, turn);
+    CHECK(distance(turn.up, {0, 0, 1}) < 1e-12);
+    for (int i = 0; i < 10; ++i) turn_up({0, -1, 0}, {0, 0, 1}, TurnCurve::linear, 20, 90, turn);
+    CHECK(turn.up == Vec3{0, -1, 0});
+}
