@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "orbweaver/vec3.hpp"
+
+namespace orbweaver::spider {
+
+/// Who is near whom in a crowd: a grid of cells as wide as the reach, sorted, so that each looks into the 27
+/// cells about its own. Allocates when the crowd grows, not else.
+class Neighbors {
+public:
+    /// Of creatures at `positions` (m), which outlive the next calls, each seeing as far as `reach` m (> 0).
+    void gather(std::span<const Vec3> positions, double reach);
+    /// Puts the places of others within the reach of creature `i` into `near`, nearest cells' in order of their
+    /// numbers, as many as fit; returns how many those are.
+    std::size_t around(std::size_t i, std::span<Vec3> near) const noexcept;
+    std::size_t memory_bytes() const noexcept { return cells_.capacity() * sizeof(Entry); }
+
+private:
+    struct Cell {
+        std::int64_t x = 0, y = 0, z = 0;
+        friend auto operator<=>(const Cell&, const Cell&) = default;
+    };
+    struct Entry {
+        Cell cell;
+        std::uint32_t index = 0;
+        friend auto operator<=>(const Entry&, const Entry&) = default;
+    };
+    Cell cell_of(const Vec3& position) const noexcept;
+
+    std::span<const Vec3> positions_;
+    double reach_ = 1;
+    std::vector<Entry> cells_;  ///< in order
+};
+
+}  // namespace orbweaver::spider
