@@ -29,4 +29,7 @@ void turn_up(const Vec3& wanted, const Vec3& forward, TurnCurve curve, std::uint
 /// sqrt alone, exact to 1e-15.
 Vec3 turned_between(const Vec3& a, const Vec3& b, double share) noexcept;
 
+/// Degrees between unit vectors, by the same means; at most 0.001 too many.
+double degrees_between(const Vec3& a, const Vec3& b) noexcept;
+
 }  // namespace orbweaver::spider

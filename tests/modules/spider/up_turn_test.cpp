@@ -9,20 +9,18 @@ using namespace orbweaver::spider;
 
 namespace {
 
-double degrees_between(const Vec3& a, const Vec3& b) {
-    return std::atan2(norm(cross(a, b)), dot(a, b)) * 180 / M_PI;
-}
+double degrees(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)) * 180 / M_PI; }
 
 }  // namespace
 
 TEST_CASE("a share of the way on a great circle is that share of its angle", "[unit]") {
     const Vec3 a{0, 1, 0};
-    for (const double degrees : {1e-3, 20.0, 90.0, 150.0, 179.0}) {
-        const double angle = degrees * M_PI / 180;
+    for (const double turned : {1e-3, 20.0, 90.0, 150.0, 179.0}) {
+        const double angle = turned * M_PI / 180;
         const Vec3 b{std::sin(angle), std::cos(angle), 0};
         for (const double share : {0.1, 0.25, 0.5, 0.7, 0.99}) {
             const Vec3 between = turned_between(a, b, share);
-            CHECK(degrees_between(a, between) == Approx(share * degrees).margin(1e-12));
+            CHECK(degrees(a, between) == Approx(share * turned).margin(1e-12));
             CHECK(norm(between) == Approx(1).epsilon(1e-15));
         }
         CHECK(turned_between(a, b, 0) == a);
@@ -40,7 +38,7 @@ TEST_CASE("a turn takes its steps, along its curve, and ends at the bit", "[unit
             const double share = curve == TurnCurve::linear   ? s
                                  : curve == TurnCurve::cosine ? (1 - std::cos(M_PI * s)) / 2
                                                               : s * s * (3 - 2 * s);
-            CHECK(degrees_between({0, 1, 0}, turn.up) == Approx(90 * share).margin(1e-11));
+            CHECK(degrees({0, 1, 0}, turn.up) == Approx(90 * share).margin(1e-11));
         }
         CHECK(turn.up == side);
         turn_up(side, {0, 0, 1}, curve, 30, 90, turn);
@@ -57,7 +55,7 @@ TEST_CASE("no step turns by more than the set rate, whatever is asked when", "[u
             const Vec3 before = turn.up;
             const Vec3 forward = std::abs(before.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
             turn_up(wanted[i / 17 % 6], forward, curve, 5, kMost, turn);
-            CHECK(degrees_between(before, turn.up) <= kMost * (1 + 1e-9));
+            CHECK(degrees(before, turn.up) <= kMost * (1 + 1e-9));
             CHECK(norm(turn.up) == Approx(1).epsilon(1e-14));
         }
     }
@@ -80,4 +78,14 @@ TEST_CASE("from one side of a sheet to the other the body turns over its front",
     CHECK(distance(turn.up, {0, 0, 1}) < 1e-12);
     for (int i = 0; i < 10; ++i) turn_up({0, -1, 0}, {0, 0, 1}, TurnCurve::linear, 20, 90, turn);
     CHECK(turn.up == Vec3{0, -1, 0});
+}
+
+TEST_CASE("angles are told to a thousandth of a degree, and never too small", "[unit]") {
+    for (double angle = 0; angle <= M_PI; angle += 0.01) {
+        const Vec3 b{std::sin(angle), std::cos(angle), 0};
+        const double told = degrees_between({0, 1, 0}, b), exact = angle * 180 / M_PI;
+        CHECK(told >= exact - 1e-9);
+        CHECK(told <= exact + 0.001);
+    }
+    CHECK(degrees_between({0, 1, 0}, {0, -1, 0}) == 180);
 }

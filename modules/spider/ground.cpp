@@ -1,0 +1,87 @@
+#include "ground.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "up_turn.hpp"
+
+namespace orbweaver::spider {
+namespace {
+
+Vec3 across(const Vec3& v, const Vec3& unit) noexcept { return v - dot(v, unit) * unit; }
+
+/// A vector that lies in one footing's plane, as the same in another's.
+Vec3 carried(const Vec3& v, const Footing& from, const Footing& to) noexcept {
+    const Vec3 left = cross(from.up, from.forward), other_left = cross(to.up, to.forward);
+    return dot(v, from.forward) * to.forward + dot(v, left) * other_left;
+}
+
+Vec3 unit_or(const Vec3& v, const Vec3& otherwise) noexcept {
+    constexpr double kLeast = 1e-9;
+    const double length = norm(v);
+    return length > kLeast ? v / length : otherwise;
+}
+
+/// Where a stride in that direction ends; the ground itself where there is no answer.
+SurfaceStride stride_from(const Surface& surface, const Ground& ground, const Vec3& way, double reach,
+                          std::span<StrideCorner> corners) noexcept {
+    const SurfaceStep placed = surface.place(ground.footing.at, ground.footing.up, way);
+    SurfaceStride stride;
+    if (placed.answer == Answer::found) stride = surface.stride(placed.end, reach, corners);
+    if (stride.step.answer != Answer::found) stride.step.end = ground.footing;
+    return stride;
+}
+
+}  // namespace
+
+MoveEnd move(const Surface& surface, double dt, Ground& ground) noexcept {
+    const double speed = norm(ground.velocity);
+    if (speed == 0) return MoveEnd::moved;
+    const SurfaceStep placed = surface.place(ground.footing.at, ground.footing.up, ground.velocity / speed);
+    if (placed.answer != Answer::found) return MoveEnd::lost;
+    const SurfaceStep step = surface.step(placed.end, speed * dt);
+    if (step.answer != Answer::found) return MoveEnd::lost;
+    ground.facing = unit_or(carried(ground.facing, placed.end, step.end), step.end.forward);
+    ground.velocity = speed * step.end.forward;
+    ground.footing = step.end;
+    if (step.stop == StepStop::none) return MoveEnd::moved;
+    ground.velocity = -1 * ground.velocity;
+    return MoveEnd::turned;
+}
+
+void face_ahead(double most_degrees, Ground& ground) noexcept {
+    const double speed = norm(ground.velocity);
+    const Vec3 facing = unit_or(across(ground.facing, ground.footing.up), ground.footing.forward);
+    ground.facing = facing;
+    if (speed == 0) return;
+    const Vec3 wanted = unit_or(across(ground.velocity, ground.footing.up), facing);
+    const double off = degrees_between(facing, wanted);
+    if (off <= most_degrees) {
+        ground.facing = wanted;
+        return;
+    }
+    // Right about there is no nearer side: by the left.
+    const Vec3 by = off > 179 ? cross(ground.footing.up, facing) : wanted;
+    const double share = most_degrees / degrees_between(facing, by);
+    ground.facing = unit_or(across(turned_between(facing, by, share), ground.footing.up), facing);
+}
+
+Feel feel_ahead(const Surface& surface, const Ground& ground, double reach) noexcept {
+    std::array<StrideCorner, 4> corners;
+    const SurfaceStride ahead = stride_from(surface, ground, ground.facing, reach, corners);
+    const SurfaceStride behind = stride_from(surface, ground, -1 * ground.facing, reach, {});
+    const Vec3& here = ground.footing.up;
+    Feel feel;
+    feel.up = unit_or(ahead.step.end.up + here + behind.step.end.up, here);
+    feel.corner_distance = reach * 2;
+    if (ahead.corners == 0) return feel;
+    const StrideCorner& first = corners[0];
+    feel.corner_distance = first.distance;
+    feel.corner_degrees = degrees_between(first.up_before, first.up_after);
+    feel.rises = first.rises;
+    const Vec3 along = unit_or(cross(first.up_before, first.up_after), Vec3{});
+    feel.corner_along = dot(along, ground.facing) < 0 ? -1 * along : along;
+    return feel;
+}
+
+}  // namespace orbweaver::spider

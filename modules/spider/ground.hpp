@@ -1,0 +1,39 @@
+#pragma once
+
+#include "orbweaver/contracts/surface.hpp"
+
+namespace orbweaver::spider {
+
+/// A creature's point on the surface: a point mass that moves along it. State of one creature.
+struct Ground {
+    Footing footing;       ///< its forward is where the last step led
+    Vec3 velocity;         ///< m/s, across up
+    Vec3 facing{1, 0, 0};  ///< unit, across up: where the head is
+};
+
+/// How a move ended.
+enum class MoveEnd : std::uint8_t {
+    moved,
+    turned,  ///< at a border: it stands there, and its velocity leads back
+    lost,    ///< the surface had no answer: it stays where it was
+};
+
+/// Along the surface by velocity * dt, straight on over edges and vertices; velocity and facing turn with the
+/// surface.
+MoveEnd move(const Surface& surface, double dt, Ground& ground) noexcept;
+
+/// Turns the head towards where the creature goes, by no more than `most_degrees`; one that stands looks on.
+void face_ahead(double most_degrees, Ground& ground) noexcept;
+
+/// What lies `reach` m ahead and behind along the surface: the paper's probe (ap Cenydd and Teahan 2005, 5.1),
+/// by which a wall is felt before the creature arrives.
+struct Feel {
+    Vec3 up;  ///< unit: the mean of the ups ahead, here and behind; here's where they say nothing
+    double corner_distance = 0;  ///< m, to the first corner ahead; beyond the reach: there is none
+    double corner_degrees = 0;   ///< by which the surface turns there
+    bool rises = false;          ///< an inside corner
+    Vec3 corner_along;           ///< unit, along the edge, so that it leads on as the creature faces
+};
+Feel feel_ahead(const Surface& surface, const Ground& ground, double reach) noexcept;
+
+}  // namespace orbweaver::spider
