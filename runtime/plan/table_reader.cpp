@@ -64,7 +64,7 @@ void TableReader::finish() {
     for (const Member& member : *node_.table())
         if (std::find(known_.begin(), known_.end(), member.key) == known_.end())
             faults_.push_back(
-                {member.where, fmt::format("a manifest has no key '{}'", member.key), join_names(known_), ""});
+                {member.where, fmt::format("{} has no key '{}'", owner_, member.key), join_names(known_), ""});
 }
 
 }  // namespace orbweaver

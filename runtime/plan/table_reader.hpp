@@ -8,11 +8,12 @@
 
 namespace orbweaver {
 
-/// Takes the members of one table of a manifest by name and type, and reports what is wrong or left over.
+/// Takes the members of one table by name and type, and reports what is wrong or left over.
 class TableReader {
 public:
-    /// `node` is a table; both must live as long as the reader.
-    TableReader(const Node& node, Diagnostics& faults) : node_(node), faults_(faults) {}
+    /// `node` is a table, of what `owner` says; all must live as long as the reader.
+    TableReader(const Node& node, Diagnostics& faults, const char* owner = "a manifest")
+        : node_(node), faults_(faults), owner_(owner) {}
 
     /// The member of that name, or null.
     const Node* take(const std::string& key);
@@ -35,6 +36,7 @@ private:
 
     const Node& node_;
     Diagnostics& faults_;
+    const char* owner_;
     std::vector<std::string> known_;
 };
 

@@ -1,0 +1,73 @@
+#include "aim.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace orbweaver::spider {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+double into_turn(double angle) noexcept {
+    if (angle > kPi) return angle - 2 * kPi;
+    return angle < -kPi ? angle + 2 * kPi : angle;
+}
+
+/// Where the foot is in the plane, along x, leg lengths.
+double planar_reach(const Leg& leg, const LegPose& pose) noexcept {
+    double angles[kJoints];
+    std::copy(pose.begin(), pose.end(), angles);
+    return posture(leg, angles).x[kBones];
+}
+
+/// -1: the joint's least angle, 0: its rest, 1: its greatest.
+double along(const Leg& leg, std::size_t j, double share) noexcept {
+    const double end = share < 0 ? leg.min[j] : leg.max[j];
+    return leg.rest[j] + magnitude(share) * (end - leg.rest[j]);
+}
+
+/// Of a start: pitch, and what all hinges have in common, as along() has it.
+struct Start {
+    double pitch, bend;
+};
+constexpr std::array<Start, 6> kStarts{{
+    {0, 0},        // rest
+    {0, -0.7},     // curled
+    {0, 0.7},      // stretched
+    {0.7, -0.4},   // raised
+    {-0.7, -0.7},  // curled under the body
+    {0.7, -0.9},   // curled over
+}};
+
+}  // namespace
+
+void face(const Leg& leg, const Vec3& target, LegPose& pose) noexcept {
+    // The target as seen by a plane turned by yaw has to lie on z = y tan(tilt), on the foot's side of the
+    // root.
+    const Rotor<double> tilt = rotor(pose[kTilt]);
+    const double level = sqrt(target.x * target.x + target.z * target.z);
+    if (!(level > 0)) return;
+    const double side = planar_reach(leg, pose) < 0 ? -1 : 1;
+    const double heading = angle_of(side * target.x, -side * target.z);
+    const double wanted = side * target.y * tilt.s / (tilt.c * level);
+    const double s = clamp(wanted, -1.0, 1.0);
+    const double turn = into_turn(heading + angle_of(sqrt(1 - s * s), s));
+    pose[kYaw] = clamp(turn, leg.min[kYaw], leg.max[kYaw]);
+    if (pose[kYaw] == turn && s == wanted) return;
+    const Rotor<double> yaw = rotor(pose[kYaw]);
+    const double across = yaw.s * target.x + yaw.c * target.z;
+    const double angle = target.y < 0 ? angle_of(-target.y, -across) : angle_of(target.y, across);
+    pose[kTilt] = clamp(angle, leg.min[kTilt], leg.max[kTilt]);
+}
+
+LegPose start_pose(const Leg& leg, const Vec3& target, int start) noexcept {
+    const Start& from = kStarts[static_cast<std::size_t>(start) % kStarts.size()];
+    LegPose pose = rest_pose(leg);
+    pose[kPitch] = along(leg, kPitch, from.pitch);
+    for (std::size_t j = kPitch + 1; j < kJoints; ++j) pose[j] = along(leg, j, from.bend);
+    face(leg, target, pose);
+    return pose;
+}
+
+}  // namespace orbweaver::spider

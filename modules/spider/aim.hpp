@@ -1,0 +1,44 @@
+#pragma once
+
+#include "leg_solver.hpp"
+#include "posture.hpp"
+
+namespace orbweaver::spider {
+
+/// What is left of a target once it is known where it lies, in leg lengths; the same for one leg and for four.
+template <class Real>
+struct Aim {
+    Triple<Real> at;    ///< no further than the leg is long
+    Mask<Real> finite;  ///< where not, `at` is the root
+    Mask<Real> beyond;  ///< it was further away
+};
+
+/// `position` in m. Numbers as large as doubles get do not overflow on the way.
+template <class Real>
+ORBWEAVER_INLINE Aim<Real> aim_at(const Chain<Real>& leg, const Triple<Real>& position) noexcept {
+    const Real zero{};
+    Aim<Real> aim;
+    aim.finite = (position.x - position.x == zero) & (position.y - position.y == zero) &
+                 (position.z - position.z == zero);
+    const Triple<Real> safe{select(aim.finite, position.x, zero), select(aim.finite, position.y, zero),
+                            select(aim.finite, position.z, zero)};
+    const Real largest =
+        larger(larger(magnitude(safe.x), magnitude(safe.y)), larger(magnitude(safe.z), Real(zero + 1e-300)));
+    const Triple<Real> scaled{safe.x / largest, safe.y / largest, safe.z / largest};
+    const Real size = sqrt(dot(scaled, scaled));  // 1 to sqrt 3, or nothing
+    const Real distance = largest / leg.length * size;
+    aim.beyond = distance > 1;
+    const Real scale = select(aim.beyond, Real(1 / larger(size, Real(zero + 1))), Real(largest / leg.length));
+    aim.at = {scaled.x * scale, scaled.y * scale, scaled.z * scale};
+    return aim;
+}
+
+/// Turns yaw and tilt so that the plane of the bones goes through `target` (any unit), on the side of the root
+/// that the foot is on, as well as limits allow: yaw first, at the tilt that there is; then tilt.
+void face(const Leg& leg, const Vec3& target, LegPose& pose) noexcept;
+
+/// The pose that the start of number `start` begins from, turned to face the target: rest, curled, stretched,
+/// raised, curled under the body, curled over; then the same again.
+LegPose start_pose(const Leg& leg, const Vec3& target, int start) noexcept;
+
+}  // namespace orbweaver::spider

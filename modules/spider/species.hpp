@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "leg.hpp"
+#include "orbweaver/diagnostic.hpp"
+
+namespace orbweaver::spider {
+
+inline constexpr std::size_t kMaxLegs = 16;
+
+/// Frame of a body: the thorax's middle is the origin, x forward, y up, z to the right. m.
+struct Body {
+    Vec3 head;  ///< length, height, width
+    Vec3 thorax;
+    Vec3 abdomen;
+    double bend_min = 0;  ///< rad; between thorax and abdomen, up is positive
+    double bend_max = 0;
+};
+
+/// A leg and where it is on the body.
+struct Limb {
+    std::string name;  ///< "R1": right, the first from the front
+    Vec3 base;         ///< m, body frame
+    Frame axes;        ///< of the leg's frame, in the body frame
+    Leg leg;
+    Vec3 home;              ///< m, body frame: the foot in the rest pose
+    std::size_t group = 0;  ///< legs of one group step together
+};
+
+/// What a kind of creature is made of.
+struct Species {
+    std::string name;
+    Body body;
+    std::vector<Limb> limbs;  ///< R1 L1 R2 L2 ...
+    std::size_t groups = 0;   ///< one more than the largest group
+    double height = 0;        ///< m; the thorax's middle above the feet at rest, on average
+};
+
+/// A point from the body's frame into a limb's, and back.
+Vec3 to_limb(const Limb& limb, const Vec3& point) noexcept;
+Vec3 to_body(const Limb& limb, const Vec3& point) noexcept;
+
+/// A species file (TOML; see the module's README). Nothing, and every fault with its place, when it is wrong.
+std::optional<Species> read_species_file(const std::string& path, Diagnostics& faults);
+/// `name` is what the species and the file in sentences are called.
+std::optional<Species> read_species_text(const std::string& text, const std::string& name, Diagnostics& faults);
+
+}  // namespace orbweaver::spider
