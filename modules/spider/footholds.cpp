@@ -31,13 +31,6 @@ Foothold along_surface(const Surface& surface, const Footing& ground, const Vec3
     return {true, step.end.at, step.end.position, step.end.up};
 }
 
-bool serves(const Surface& surface, const Foothold& foothold, const LegReach& leg) noexcept {
-    if (!foothold.found) return false;
-    const double stretch = distance(foothold.position, leg.hip);
-    return stretch >= leg.least && stretch <= leg.most &&
-           holds(surface.grip(foothold.at.face), foothold.up, leg.gravity);
-}
-
 }  // namespace
 
 bool holds(const SurfaceGrip& grip, const Vec3& up, const Vec3& gravity) noexcept {
@@ -47,24 +40,19 @@ bool holds(const SurfaceGrip& grip, const Vec3& up, const Vec3& gravity) noexcep
     return level > 0 && 1 - level * level <= grip.friction * grip.friction * level * level;
 }
 
-Foothold find_foothold(const Surface& surface, FootholdWay way, const Footing& ground, const Vec3& up,
-                       const Vec3& wanted, const LegReach& leg, double search) noexcept {
-    const auto look = [&](const Vec3& place) {
-        return way == FootholdWay::rays ? by_rays(surface, up, place, leg.most)
-                                        : along_surface(surface, ground, place);
-    };
-    const Foothold first = look(wanted);
-    if (serves(surface, first, leg)) return first;
-    constexpr int kRings = 3, kSides = 8;
-    const Vec3 ahead = ground.forward, left = cross(ground.up, ahead);
-    for (int ring = 1; ring <= kRings; ++ring)
-        for (int side = 0; side < kSides; ++side) {
-            const double degrees = 360.0 * side / kSides, out = search * ring / kRings;
-            const Vec3 about = out * (cos_degrees(degrees) * ahead + sin_degrees(degrees) * left);
-            const Foothold next = look(wanted + about);
-            if (serves(surface, next, leg)) return next;
-        }
-    return {};
+Foothold look_for_foothold(const Surface& surface, FootholdWay way, const Footing& ground, const Vec3& up,
+                           const Vec3& wanted, double reach) noexcept {
+    return way == FootholdWay::rays ? by_rays(surface, up, wanted, reach)
+                                    : along_surface(surface, ground, wanted);
+}
+
+Vec3 foothold_try(int number, const Footing& ground, const Vec3& wanted, double search) noexcept {
+    constexpr int kRings = 3, kSides = (kFootholdTries - 1) / kRings;
+    if (number == 0) return wanted;
+    const int ring = (number - 1) / kSides + 1, side = (number - 1) % kSides;
+    const double degrees = 360.0 * side / kSides, out = search * ring / kRings;
+    const Vec3 left = cross(ground.up, ground.forward);
+    return wanted + out * (cos_degrees(degrees) * ground.forward + sin_degrees(degrees) * left);
 }
 
 }  // namespace orbweaver::spider

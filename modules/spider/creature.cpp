@@ -1,0 +1,226 @@
+#include "creature.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orbweaver::spider {
+namespace {
+
+constexpr double kMostStretch = 0.96;  // of a leg's length, of a foothold
+constexpr double kStrained = 0.97;     // of a leg's length: it steps out of turn
+constexpr double kOffHome = 1.3;       // of half a stride's excursion: the same
+constexpr double kLandingTime = 0.12;  // s
+constexpr double kTurnRate = 0.5;      // of a cycle a second, of gaits that change
+constexpr double kLift = 0.3;          // of the body's height, of a swing
+
+Vec3 across(const Vec3& v, const Vec3& unit) noexcept { return v - dot(v, unit) * unit; }
+
+double mean_leg(const Species& species) noexcept {
+    double sum = 0;
+    for (const Limb& limb : species.limbs) sum += limb.leg.length;
+    return sum / static_cast<double>(species.limbs.size());
+}
+
+double body_length(const Species& species) noexcept {
+    return species.body.head.x + species.body.thorax.x + species.body.abdomen.x;
+}
+
+/// Where a foot stands in the middle of its stance, body frame: where it is at rest, but near enough to reach as far
+/// ahead as behind.
+Vec3 stance_home(const Limb& limb) noexcept {
+    constexpr double kStretch = 0.72;  // of the leg's length
+    const Vec3 out = limb.home - limb.base;
+    const double level = std::sqrt(out.x * out.x + out.z * out.z);
+    const double least = kStretch * kStretch * limb.leg.length * limb.leg.length - out.y * out.y;
+    const double wanted = least > 0 ? std::sqrt(least) : level;
+    const double share = level > wanted ? wanted / level : 1;
+    return limb.base + Vec3{share * out.x, out.y, share * out.z};
+}
+
+GaitState gait_state(const Conduct& conduct, CreatureState& state) noexcept {
+    const std::size_t legs = conduct.species->limbs.size();
+    return {&state.phase, std::span(state.start).first(legs), std::span(state.progress).first(legs)};
+}
+
+Vec3 wish(const Surface&, const Conduct& conduct, const RandomStream& random, const Feel& feel, double reach,
+          double dt, CreatureState& state) noexcept {
+    const double careful = caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest);
+    const Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
+                      conduct.pace.top_speed * careful};
+    const double speed = norm(state.ground.velocity);
+    const Vec3 ahead = speed > 0 ? state.ground.velocity / speed : state.ground.facing;
+    return wander(agent, ahead, conduct.wander, random, dt, state.wander);
+}
+
+void steer(const Surface& surface, const Conduct& conduct, const RandomStream& random, const Feel& feel,
+           double reach, double dt, CreatureState& state) noexcept {
+    if (conduct.rests) advance_pauses(conduct.pauses, random, dt, state.pause);
+    const Vec3 wanted = state.pause.stands ? Vec3{} : wish(surface, conduct, random, feel, reach, dt, state);
+    Vec3 signal = (wanted - state.ground.velocity) / conduct.response;
+    const double size = norm(signal);
+    if (size > conduct.strength) signal *= conduct.strength / size;
+    const Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
+                      conduct.pace.top_speed};
+    state.ground.velocity = accelerate(agent, signal, dt);
+}
+
+bool is_strained(const Limb& limb, const BodyPose& body, const Pace& pace, const Foot& foot) noexcept {
+    if (!foot.holds) return true;
+    const Vec3 place = from_world(body, foot.place);
+    if (distance(place, limb.base) > kStrained * limb.leg.length) return true;
+    const Vec3 off = place - stance_home(limb);
+    return norm(across(off, {0, 1, 0})) > kOffHome * pace.duty * pace.stride / 2 + 0.15 * limb.leg.length;
+}
+
+void begin_swing(const Surface& surface, const Conduct& conduct, const Limb& limb, const BodyPose& body,
+                 const Pace& pace, const CreatureState& state, Foot& foot,
+                 CreatureMeasures& measures) noexcept {
+    const Footing& ground = state.ground.footing;
+    const double swing_time =
+        pace.frequency > 0 ? std::min((1 - pace.duty) / pace.frequency, kLandingTime * 2) : 0;
+    const double speed = norm(state.ground.velocity);
+    const Vec3 way = speed > 0 ? state.ground.velocity / speed : Vec3{};
+    const Vec3 lead = (speed * swing_time + pace.duty * pace.stride / 2 * std::min(1.0, speed / 1e-3)) * way;
+    const Vec3 wanted = to_world(body, stance_home(limb)) + lead;
+    BodyPose landing = body;  // where it will be when the foot comes down
+    landing.position += speed * swing_time * way;
+    const auto serves = [&](const Foothold& hold) {
+        if (!holds(surface.grip(hold.at.face), hold.up, conduct.gravity)) return false;
+        if (distance(hold.position, to_world(landing, limb.base)) > kMostStretch * limb.leg.length) return false;
+        LegPose pose = rest_pose(limb.leg);
+        const LegTarget target{to_limb(limb, from_world(landing, hold.position))};
+        return conduct.solver->solve(limb.leg, target, {}, pose).answer == LegAnswer::reached;
+    };
+    const Foothold hold = find_foothold(surface, conduct.footholds, ground, body.up, wanted, limb.leg.length,
+                                        0.4 * limb.leg.length, serves);
+    ++measures.steps;
+    if (!hold.found) ++measures.empty_steps;
+    foot.holds = hold.found;
+    foot.swing.start = foot.place;
+    foot.swing.start_up = body.up;
+    foot.swing.end = hold.found ? hold.position : wanted + kLift * conduct.species->height * body.up;
+    foot.swing.end_up = hold.found ? hold.up : body.up;
+    foot.swing.height = kLift * conduct.species->height + 0.1 * distance(foot.swing.start, foot.swing.end);
+}
+
+void step_feet(const Surface& surface, const Conduct& conduct, double dt, CreatureState& state,
+               CreatureMeasures& measures) noexcept {
+    const std::size_t legs = conduct.species->limbs.size();
+    const BodyPose body = pose_of(conduct, state);
+    const Pace pace = pace_at(conduct.pace, norm(state.ground.velocity));
+    std::array<std::uint8_t, kMaxLegs> strained{}, lifted{}, landed{};
+    for (std::size_t leg = 0; leg < legs; ++leg)
+        strained[leg] = is_strained(conduct.species->limbs[leg], body, pace, state.feet[leg]) ? 1 : 0;
+    const GaitState gait = gait_state(conduct, state);
+    const GaitTick tick{dt,
+                        kLandingTime,
+                        kTurnRate,
+                        std::span(strained).first(legs),
+                        std::span(lifted).first(legs),
+                        std::span(landed).first(legs)};
+    advance_gait(*conduct.gait, pace, tick, gait);
+    for (std::size_t leg = 0; leg < legs; ++leg) {
+        Foot& foot = state.feet[leg];
+        if (lifted[leg] != 0)
+            begin_swing(surface, conduct, conduct.species->limbs[leg], body, pace, state, foot, measures);
+        if (landed[leg] != 0) foot.place = foot.swing.end;
+        if (motion_of(gait, leg) == LegMotion::swings)
+            foot.place = foot_at(*conduct.path, foot.swing, gait.progress[leg]);
+        else
+            ++measures.feet_down;
+    }
+}
+
+void reach_feet(const Surface& surface, const Conduct& conduct, CreatureState& state,
+                CreatureMeasures& measures) noexcept {
+    const BodyPose body = pose_of(conduct, state);
+    const Pace pace = pace_at(conduct.pace, norm(state.ground.velocity));
+    for (std::size_t leg = 0; leg < conduct.species->limbs.size(); ++leg) {
+        const Limb& limb = conduct.species->limbs[leg];
+        Foot& foot = state.feet[leg];
+        const LegTarget target{to_limb(limb, from_world(body, foot.place))};
+        const LegResult result = conduct.solver->solve(limb.leg, target, {}, state.poses[leg]);
+        measures.worst_joint = std::max(measures.worst_joint, violation(limb.leg, state.poses[leg]));
+        if (state.progress[leg] >= 0) continue;
+        if (result.answer == LegAnswer::reached) {
+            measures.worst_reach = std::max(measures.worst_reach, result.error / limb.leg.length);
+            continue;
+        }
+        // Rather than be torn off, the foot lifts from where the leg still is.
+        foot.place = to_world(body, to_body(limb, foot_position(limb.leg, state.poses[leg])));
+        begin_swing(surface, conduct, limb, body, pace, state, foot, measures);
+        state.progress[leg] = 0;
+        ++measures.forced_steps;
+    }
+}
+
+}  // namespace
+
+BodyPose pose_of(const Conduct& conduct, const CreatureState& state) noexcept {
+    BodyPose pose;
+    pose.up = state.turn.up;
+    const Vec3 ahead = across(state.ground.facing, pose.up);
+    const double length = norm(ahead);
+    // Where the head looks along the body's up, it is on its way over an edge.
+    pose.forward = length > 1e-6 ? ahead / length : -1 * state.ground.footing.up;
+    pose.forward = across(pose.forward, pose.up) / norm(across(pose.forward, pose.up));
+    pose.right = cross(pose.forward, pose.up);
+    pose.position = state.ground.footing.position + conduct.species->height * pose.up;
+    return pose;
+}
+
+Vec3 to_world(const BodyPose& pose, const Vec3& point) noexcept {
+    return pose.position + point.x * pose.forward + point.y * pose.up + point.z * pose.right;
+}
+
+Vec3 from_world(const BodyPose& pose, const Vec3& point) noexcept {
+    const Vec3 d = point - pose.position;
+    return {dot(d, pose.forward), dot(d, pose.up), dot(d, pose.right)};
+}
+
+void place_creature(const Surface& surface, const Conduct& conduct, const Footing& footing,
+                    CreatureState& state) noexcept {
+    state.ground.footing = footing;
+    state.ground.facing = footing.forward;
+    state.turn.up = footing.up;
+    begin_gait(*conduct.gait, gait_state(conduct, state));
+    const BodyPose body = pose_of(conduct, state);
+    CreatureMeasures unused;
+    for (std::size_t leg = 0; leg < conduct.species->limbs.size(); ++leg) {
+        const Limb& limb = conduct.species->limbs[leg];
+        state.poses[leg] = rest_pose(limb.leg);
+        state.feet[leg].place = to_world(body, stance_home(limb));
+        begin_swing(surface, conduct, limb, body, {}, state, state.feet[leg], unused);
+        state.feet[leg].place = state.feet[leg].swing.end;
+    }
+    reach_feet(surface, conduct, state, unused);
+}
+
+void advance_creature(const Surface& surface, const Conduct& conduct, const RandomStream& random, double dt,
+                      CreatureState& state, CreatureMeasures& measures) noexcept {
+    const Species& species = *conduct.species;
+    const double reach = std::max(body_length(species), 0.6 * mean_leg(species));
+    const Feel feel = feel_ahead(surface, state.ground, reach);
+    steer(surface, conduct, random, feel, reach, dt, state);
+    if (move(surface, dt, state.ground) == MoveEnd::lost) ++measures.lost_frames;
+    const double most = conduct.turn_rate * dt;
+    face_ahead(most, state.ground);
+    const Vec3 before = state.turn.up;
+    const Feel here = feel_ahead(surface, state.ground, reach);
+    turn_up(here.up, state.ground.facing, conduct.turn_curve, conduct.turn_steps, most, state.turn);
+    step_feet(surface, conduct, dt, state, measures);
+    reach_feet(surface, conduct, state, measures);
+    ++measures.frames;
+    measures.distance += norm(state.ground.velocity) * dt;
+    measures.worst_turn = std::max(measures.worst_turn, degrees_between(before, state.turn.up));
+    const BodyPose body = pose_of(conduct, state);
+    const SurfaceHit below = surface.first_hit({body.position, -1 * body.up, 2 * species.height});
+    if (below.answer != Answer::found) {
+        const SurfaceHit nearest = surface.closest_point(body.position, 4 * species.height);
+        const double height =
+            nearest.answer == Answer::found ? distance(nearest.position, body.position) : species.height;
+        measures.worst_penetration = std::max(measures.worst_penetration, species.body.thorax.y / 2 - height);
+    }
+}
+
+}  // namespace orbweaver::spider
