@@ -25,8 +25,8 @@ double body_length(const Species& species) noexcept {
     return species.body.head.x + species.body.thorax.x + species.body.abdomen.x;
 }
 
-/// Where a foot stands in the middle of its stance, body frame: where it is at rest, but near enough to reach as far
-/// ahead as behind.
+/// Where a foot stands in the middle of its stance, body frame: where it is at rest, but near enough to reach
+/// as far ahead as behind.
 Vec3 stance_home(const Limb& limb) noexcept {
     constexpr double kStretch = 0.72;  // of the leg's length
     const Vec3 out = limb.home - limb.base;
@@ -42,20 +42,30 @@ GaitState gait_state(const Conduct& conduct, CreatureState& state) noexcept {
     return {&state.phase, std::span(state.start).first(legs), std::span(state.progress).first(legs)};
 }
 
-Vec3 wish(const Surface&, const Conduct& conduct, const RandomStream& random, const Feel& feel, double reach,
-          double dt, CreatureState& state) noexcept {
+Vec3 wish(const Conduct& conduct, const Company& company, const Feel& feel, double reach, double dt,
+          CreatureState& state) noexcept {
     const double careful = caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest);
     const Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
                       conduct.pace.top_speed * careful};
     const double speed = norm(state.ground.velocity);
     const Vec3 ahead = speed > 0 ? state.ground.velocity / speed : state.ground.facing;
-    return wander(agent, ahead, conduct.wander, random, dt, state.wander);
+    const std::array<Wish, 2> wishes{
+        {{wander(agent, ahead, conduct.wander, company.random, dt, state.wander), 1},
+         {keep_apart(agent, company.near, company.keep_apart), 3}}};
+    Vec3 sum;
+    double weights = 0;
+    for (const Wish& each : wishes) {
+        if (each.velocity == Vec3{}) continue;
+        sum += each.weight * each.velocity;
+        weights += each.weight;
+    }
+    return weights > 0 ? sum / weights : Vec3{};
 }
 
-void steer(const Surface& surface, const Conduct& conduct, const RandomStream& random, const Feel& feel,
-           double reach, double dt, CreatureState& state) noexcept {
-    if (conduct.rests) advance_pauses(conduct.pauses, random, dt, state.pause);
-    const Vec3 wanted = state.pause.stands ? Vec3{} : wish(surface, conduct, random, feel, reach, dt, state);
+void steer(const Conduct& conduct, const Company& company, const Feel& feel, double reach, double dt,
+           CreatureState& state) noexcept {
+    if (conduct.rests) advance_pauses(conduct.pauses, company.random, dt, state.pause);
+    const Vec3 wanted = state.pause.stands ? Vec3{} : wish(conduct, company, feel, reach, dt, state);
     Vec3 signal = (wanted - state.ground.velocity) / conduct.response;
     const double size = norm(signal);
     if (size > conduct.strength) signal *= conduct.strength / size;
@@ -86,7 +96,8 @@ void begin_swing(const Surface& surface, const Conduct& conduct, const Limb& lim
     landing.position += speed * swing_time * way;
     const auto serves = [&](const Foothold& hold) {
         if (!holds(surface.grip(hold.at.face), hold.up, conduct.gravity)) return false;
-        if (distance(hold.position, to_world(landing, limb.base)) > kMostStretch * limb.leg.length) return false;
+        if (distance(hold.position, to_world(landing, limb.base)) > kMostStretch * limb.leg.length)
+            return false;
         LegPose pose = rest_pose(limb.leg);
         const LegTarget target{to_limb(limb, from_world(landing, hold.position))};
         return conduct.solver->solve(limb.leg, target, {}, pose).answer == LegAnswer::reached;
@@ -196,21 +207,28 @@ void place_creature(const Surface& surface, const Conduct& conduct, const Footin
     reach_feet(surface, conduct, state, unused);
 }
 
-void advance_creature(const Surface& surface, const Conduct& conduct, const RandomStream& random, double dt,
+void advance_creature(const Surface& surface, const Conduct& conduct, const Company& company, double dt,
                       CreatureState& state, CreatureMeasures& measures) noexcept {
     const Species& species = *conduct.species;
     const double reach = std::max(body_length(species), 0.6 * mean_leg(species));
     const Feel feel = feel_ahead(surface, state.ground, reach);
-    steer(surface, conduct, random, feel, reach, dt, state);
+    steer(conduct, company, feel, reach, dt, state);
     if (move(surface, dt, state.ground) == MoveEnd::lost) ++measures.lost_frames;
     const double most = conduct.turn_rate * dt;
     face_ahead(most, state.ground);
     const Vec3 before = state.turn.up;
     const Feel here = feel_ahead(surface, state.ground, reach);
     turn_up(here.up, state.ground.facing, conduct.turn_curve, conduct.turn_steps, most, state.turn);
+    const auto feet = state.feet;
+    const auto progress = state.progress;
     step_feet(surface, conduct, dt, state, measures);
     reach_feet(surface, conduct, state, measures);
     ++measures.frames;
+    for (std::size_t leg = 0; leg < species.limbs.size(); ++leg)
+        if (progress[leg] < 0 && state.progress[leg] < 0)
+            measures.worst_slip =
+                std::max(measures.worst_slip, distance(feet[leg].place, state.feet[leg].place));
+    measures.least_margin = std::min(measures.least_margin, stability_margin(conduct, state));
     measures.distance += norm(state.ground.velocity) * dt;
     measures.worst_turn = std::max(measures.worst_turn, degrees_between(before, state.turn.up));
     const BodyPose body = pose_of(conduct, state);
@@ -221,6 +239,52 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Rand
             nearest.answer == Answer::found ? distance(nearest.position, body.position) : species.height;
         measures.worst_penetration = std::max(measures.worst_penetration, species.body.thorax.y / 2 - height);
     }
+}
+
+double stability_margin(const Conduct& conduct, const CreatureState& state) noexcept {
+    const BodyPose body = pose_of(conduct, state);
+    std::array<Vec3, kMaxLegs> feet;
+    std::size_t count = 0;
+    for (std::size_t leg = 0; leg < conduct.species->limbs.size(); ++leg) {
+        if (state.progress[leg] >= 0 || !state.feet[leg].holds) continue;
+        const Vec3 place = from_world(body, state.feet[leg].place);
+        feet[count++] = {place.x, 0, place.z};
+    }
+    if (count < 3) return -1 * conduct.species->height;
+    // Over every line through two feet that has all others on one side: the hull's edges.
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < count; ++j) {
+            const Vec3 edge = feet[j] - feet[i];
+            const double length = norm(edge);
+            if (length == 0) continue;
+            const Vec3 inward{-edge.z / length, 0, edge.x / length};
+            bool is_edge = true;
+            for (std::size_t k = 0; k < count; ++k)
+                is_edge = is_edge && dot(feet[k] - feet[i], inward) >= -1e-12;
+            if (is_edge) least = std::min(least, dot(Vec3{} - feet[i], inward));
+        }
+    return std::isinf(least) ? -1 * conduct.species->height : least;
+}
+
+CreatureMeasures sum_of(std::span<const CreatureMeasures> all) noexcept {
+    CreatureMeasures sum;
+    for (const CreatureMeasures& each : all) {
+        sum.frames += each.frames;
+        sum.lost_frames += each.lost_frames;
+        sum.feet_down += each.feet_down;
+        sum.steps += each.steps;
+        sum.empty_steps += each.empty_steps;
+        sum.forced_steps += each.forced_steps;
+        sum.distance += each.distance;
+        sum.worst_reach = std::max(sum.worst_reach, each.worst_reach);
+        sum.worst_joint = std::max(sum.worst_joint, each.worst_joint);
+        sum.worst_penetration = std::max(sum.worst_penetration, each.worst_penetration);
+        sum.worst_turn = std::max(sum.worst_turn, each.worst_turn);
+        sum.worst_slip = std::max(sum.worst_slip, each.worst_slip);
+        sum.least_margin = std::min(sum.least_margin, each.least_margin);
+    }
+    return sum;
 }
 
 }  // namespace orbweaver::spider

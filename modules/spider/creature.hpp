@@ -33,7 +33,7 @@ struct Conduct {
     bool rests = true;       ///< stops at random
     double response = 0.15;  ///< s, in which it comes to the velocity that it wants
     double strength = 2;     ///< m/s^2, at most
-    double turn_rate = 240;  ///< degrees a second, of head and up
+    double turn_rate = 110;  ///< degrees a second, of head and up
     TurnCurve turn_curve = TurnCurve::cosine;
     std::uint32_t turn_steps = 12;  ///< of a turn to a new polygon
     double slowest = 0.35;          ///< of its speed, at a right-angled corner
@@ -80,6 +80,8 @@ struct CreatureMeasures {
     double worst_joint = 0;          ///< rad, past a limit
     double worst_penetration = 0;    ///< m, of the body's middle axis below the surface
     double worst_turn = 0;           ///< degrees in a frame, of the body's up
+    double worst_slip = 0;           ///< m in a frame, of a standing foot
+    double least_margin = 1e300;     ///< m, see stability_margin()
     double distance = 0;             ///< m, walked
 };
 
@@ -87,8 +89,22 @@ struct CreatureMeasures {
 void place_creature(const Surface& surface, const Conduct& conduct, const Footing& footing,
                     CreatureState& state) noexcept;
 
-/// One frame of dt s: feels, wanders, moves, turns, steps and reaches. `random` is the creature's own.
-void advance_creature(const Surface& surface, const Conduct& conduct, const RandomStream& random, double dt,
+/// What a creature lives among.
+struct Company {
+    const RandomStream& random;  ///< its own
+    std::span<const Vec3> near;  ///< m, where others are
+    double keep_apart = 0;       ///< m, from them
+};
+
+/// One frame of dt s: feels, wanders, moves, turns, steps and reaches.
+void advance_creature(const Surface& surface, const Conduct& conduct, const Company& company, double dt,
                       CreatureState& state, CreatureMeasures& measures) noexcept;
+
+/// m, along the surface: how far the body's middle is within the hull of the feet that stand, seen along its
+/// up; below 0 where it is outside, or fewer than three stand.
+double stability_margin(const Conduct& conduct, const CreatureState& state) noexcept;
+
+/// Of several creatures: sums, and the worst.
+CreatureMeasures sum_of(std::span<const CreatureMeasures> all) noexcept;
 
 }  // namespace orbweaver::spider

@@ -7,6 +7,7 @@ namespace orbweaver::spider {
 namespace {
 
 constexpr double kStands = -1;
+constexpr double kDue = -2;  // stands, and has missed its start
 
 /// Into [0, 1).
 double wrapped(double phase) noexcept {
@@ -77,6 +78,8 @@ void advance_gait(const Gait& gait, const Pace& pace, const GaitTick& tick, cons
     *state.phase = wrapped(before + cycles);
     const double swing = 1 - pace.duty;  // of a cycle
     const double rate = std::max(swing > 0 ? pace.frequency / swing : 0, 1 / tick.landing_time);
+    auto standing = static_cast<std::size_t>(
+        std::count_if(state.progress.begin(), state.progress.end(), [](double each) { return each < 0; }));
     for (std::size_t leg = 0; leg < legs; ++leg) {
         const double most = tick.turn_rate * tick.dt;
         const double turn = std::clamp(turn_between(state.start[leg], start_of(gait, leg, legs)), -most, most);
@@ -92,8 +95,14 @@ void advance_gait(const Gait& gait, const Pace& pace, const GaitTick& tick, cons
         // What is left of the frame since the leg's start came, in cycles; turning counts as waiting.
         const double since = wrapped(before - state.start[leg]) + cycles - turn - 1;
         const bool comes = cycles > 0 && since >= 0;
+        const bool due = comes || state.progress[leg] == kDue;
         const bool strained = tick.strained[leg] != 0 && neighbors_stand(state, leg);
-        if (!comes && !strained) continue;
+        if (!due && !strained) continue;
+        if (2 * (standing - 1) < legs) {
+            if (due) state.progress[leg] = kDue;
+            continue;
+        }
+        --standing;
         state.progress[leg] = comes && pace.frequency > 0 ? std::min(rate * since / pace.frequency, 0.999) : 0;
         tick.lifted[leg] = 1;
     }

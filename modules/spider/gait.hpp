@@ -51,7 +51,7 @@ enum class LegMotion : std::uint8_t { stands, swings };
 struct GaitState {
     double* phase = nullptr;     ///< of the cycle, in [0, 1); one number
     std::span<double> start;     ///< of each leg within a cycle, in [0, 1): it turns to what the gait asks
-    std::span<double> progress;  ///< of each leg's swing, in [0, 1); -1 while it stands
+    std::span<double> progress;  ///< of each leg's swing, in [0, 1); below 0 while it stands
 };
 
 inline LegMotion motion_of(const GaitState& state, std::size_t leg) noexcept {
@@ -62,7 +62,9 @@ inline LegMotion motion_of(const GaitState& state, std::size_t leg) noexcept {
 void begin_gait(const Gait& gait, const GaitState& state) noexcept;
 
 /// One frame of `dt` s. A standing leg lifts when its start comes; or at once where it is `strained` (an
-/// element per leg, not 0 where it is), as long as its neighbors on its side and across stand. A swing takes (1
+/// element per leg, not 0 where it is), as long as its neighbors on its side and across stand. None lifts
+/// while fewer than half of all would stand; one whose start comes then lifts as soon as it may. A swing takes
+/// (1
 /// - duty) of a cycle, and no longer than `landing_time` s, so that who stops puts its feet down. Starts turn
 /// to those of the gait, the shorter way round, by at most `turn_rate` of a cycle a second, so that gaits blend
 /// without a jump. `lifted` (an element per leg) is set to 1 where a leg lifted in this frame, `landed` where
