@@ -23,6 +23,7 @@ public:
         Diagnostics faults;
         auto web = build_web(host.options(), host.scene().gravity, host.random("irregularity"), faults);
         Motion motion = read_motion(host.options(), faults);
+        if (web) check_damping(host.options(), motion, web->network, faults);
         const bool sound = faults.empty();
         for (Diagnostic& fault : faults) host.report_fault(std::move(fault));
         if (!sound || !web) return;
