@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <span>
@@ -50,5 +51,9 @@ struct MethodInfo {
 std::span<const MethodInfo> methods() noexcept;
 /// The method of that name, or null.
 const MethodInfo* find_method(std::string_view name) noexcept;
+/// By which states tell a method, whatever others there are: a hash of its name (FNV-1a of 64 bits).
+std::uint64_t method_key(const MethodInfo& method) noexcept;
+/// The method of that key, or null.
+const MethodInfo* find_method(std::uint64_t key) noexcept;
 
 }  // namespace orbweaver::mass_spring

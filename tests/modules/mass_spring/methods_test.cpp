@@ -87,6 +87,10 @@ TEST_CASE("methods are found by the name scenes write", "[unit]") {
     CHECK(names ==
           "explicit_euler symplectic_euler verlet rk4 tsit5 srkn6 rkc2 implicit_euler tr_bdf2 provot xpbd ");
     CHECK(find_method("rk5") == nullptr);
+    for (const MethodInfo& info : methods()) CHECK(find_method(method_key(info)) == &info);
+    CHECK(find_method(std::uint64_t{3}) == nullptr);
+    // Saved states hold it: FNV-1a of "a" is the algorithm's published 0xaf63dc4c8601ec8c.
+    CHECK(method_key({"a", 1, 0, 1, nullptr}) == 0xaf63dc4c8601ec8c);
 }
 
 TEST_CASE("every method follows a free fall", "[unit]") {
