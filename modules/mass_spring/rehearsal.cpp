@@ -48,11 +48,12 @@ Rehearsal::Strongest Rehearsal::strongest_within(double frames) {
     const double most = std::max(64.0, kMostForces / static_cast<double>(run_.x.size()));
     const double stride = std::max(1.0, std::floor(frames / most));
     std::vector<Vec3> change;
-    for (double frame = 1; frame < frames; frame += stride) {
+    for (std::uint64_t i = 0; 1 + static_cast<double>(i) * stride < frames; ++i) {
+        const double frame = 1 + static_cast<double>(i) * stride;
         const auto before = run_.load((frame - 1) * run_.frame_step);
         change.assign(before.begin(), before.end());
         const auto forces = run_.load(frame * run_.frame_step);
-        for (std::size_t i = 0; i < change.size(); ++i) change[i] = forces[i] - change[i];
+        for (std::size_t j = 0; j < change.size(); ++j) change[j] = forces[j] - change[j];
         const double strength = size_of(forces) + size_of(change);
         if (strength > found.strength) found = {frame, strength};
     }
