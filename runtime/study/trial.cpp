@@ -180,10 +180,15 @@ Trial run_trial(const StudySettings& settings, const Subject& subject, const Tri
     const auto start = Deadline::Clock::now();
     const QuietLog quiet;
     RunSettings run = settings.run;
-    // Methods that are set by their step refuse the scene's tolerance, and all of them what chooses a method.
-    std::vector<std::string> refused = subject.spec().automatic;
-    if (!subject.spec().tolerance.empty()) refused.push_back(subject.spec().tolerance);
-    for (const std::string& option : refused) run.removals.push_back(subject.table() + "." + option);
+    // Methods that are set by their step refuse the scene's tolerance.
+    if (!subject.spec().tolerance.empty())
+        run.removals.push_back(subject.table() + "." + subject.spec().tolerance);
+    // A method that is named refuses what helps to choose one, wherever that was said.
+    for (const std::string& option : subject.spec().automatic) {
+        const std::string path = subject.table() + "." + option;
+        std::erase_if(run.overrides, [&](const std::string& text) { return text.starts_with(path + "="); });
+        run.removals.push_back(path);
+    }
     run.overrides.insert(run.overrides.end(), plan.overrides.begin(), plan.overrides.end());
     run.overrides.push_back(fmt::format("scene.duration={}", plan.duration));
     const PlannedScene planned = plan_sound_scene(run);

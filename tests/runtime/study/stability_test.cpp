@@ -107,10 +107,13 @@ TEST_CASE("why cells were refused is said once, whatever the numbers in it", "[u
 }
 
 TEST_CASE("a scene that leaves its method open by a budget has maps as any other", "[unit]") {
-    OscillatorScene scene("budget = \"1 ms\"");
-    scene.settings.methods = {"verlet"};
-    const StabilityResult result = studied(scene, {"oscillator.step=1 ms,2 ms", "oscillator.omega=10,20"});
-    for (const CellClass kind : result.maps[0].cells) CHECK(kind == CellClass::stable);
+    OscillatorScene in_file("budget = \"1 ms\""), on_line;
+    on_line.settings.run.overrides.emplace_back("oscillator.budget=1e-3");
+    for (OscillatorScene* scene : {&in_file, &on_line}) {
+        scene->settings.methods = {"verlet"};
+        const StabilityResult result = studied(*scene, {"oscillator.step=1 ms,2 ms", "oscillator.omega=10,20"});
+        for (const CellClass kind : result.maps[0].cells) CHECK(kind == CellClass::stable);
+    }
 }
 
 TEST_CASE("tolerances are mapped for the methods that have one", "[unit]") {
