@@ -293,6 +293,7 @@ private:
         if (!choice.meets_goal && is_chaotic() && meets_goal(*best_))
             text += " over the " + std::to_string(rehearsal_.frames()) +
                     " frames that were tried; over the run no method is, since the motion is chaotic";
+        if (goal_.tolerance > 0 && is_chaotic() && !meets_goal(*best_)) text += "; the motion is chaotic";
         if (!choice.meets_goal && cramped_)
             text +=
                 "; max_substeps = " + std::to_string(goal_.max_substeps) + " leaves out what takes more steps";
