@@ -18,8 +18,8 @@ accuracy   runs every method over a ladder of steps or tolerances, against a ref
            accuracy.json, accuracy.svg and index.html in DIR, and prints the cheapest way to each error. Usually
            1 s is simulated.
 stability  runs every method in each cell of a map over two options of the scene, and calls it stable, degraded,
-           diverged or refused. Leaves stability.csv (method,<axis>,<axis>,class), stability.json, stability.svg and
-           index.html in DIR, the adviser's prediction drawn over each map. Usually 0.5 s is simulated.
+           diverged or refused. Leaves stability.csv (method,<axis>,<axis>,class,reason), stability.json,
+           stability.svg and index.html in DIR, the adviser's prediction drawn over each map. Usually 0.5 s is simulated.
 
 An axis is any option of the scene, PATH=LOW..HIGH:COUNT, such as web.step=10us..20ms:16 or web.drag=0..1e-6:11:lin,
 or a list, PATH=A,B,..., such as web.prestress=force_density,over_extension; without --axis the step and the module's

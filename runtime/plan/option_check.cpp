@@ -276,6 +276,7 @@ private:
             for (const auto& entry : fs::directory_iterator(fs::path(assets) / spec.folder, error))
                 if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
         std::sort(names.begin(), names.end());
+        names.erase(std::unique(names.begin(), names.end()), names.end());  // in several folders
         const std::string nearest = nearest_name(name, names);
         faults_.push_back({where, fmt::format("there is no {} '{}'", spec.key, name),
                            (names.empty() ? "" : join_names(names) + ", or ") + "a path ending in .toml",

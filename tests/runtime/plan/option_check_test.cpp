@@ -243,6 +243,17 @@ TEST_CASE("a preset is found by name in the first folder that has it, or by path
     CHECK(Checked("species = \"mine.toml\"\n", paths).options.integer("count") == 5);
 }
 
+TEST_CASE("a preset that several folders have is offered once", "[unit]") {
+    const Folder folder;
+    folder.write("one/species/a.toml", "count = 3\n");
+    folder.write("two/species/a.toml", "count = 4\n");
+    folder.write("two/species/c.toml", "count = 4\n");
+    const AssetPaths paths{folder.path(), {folder.path("one"), folder.path("two")}};
+    const Diagnostics faults = Checked("species = \"b\"\n", paths).faults;
+    REQUIRE(faults.size() == 1);
+    CHECK_THAT(to_string(faults[0]), Catch::Contains("expected a or c, or a path ending in .toml"));
+}
+
 TEST_CASE("a preset that is wrong is a fault of its own file", "[extreme]") {
     const Folder folder;
     folder.write("species/araneus.toml", "");
