@@ -69,6 +69,7 @@ OptionSpec read_option(const std::string& key, const Node& node, Diagnostics& fa
         faults.push_back({node.where, fmt::format("option '{}' has the asset '{}'", key, spec.asset),
                           "\"mesh\", of an option of type file", ""});
     reader.take("meaning", spec.meaning);
+    reader.take("plan", spec.plan);
     if (spec.meaning.empty()) reader.missing("meaning");
     reader.finish();
     return spec;

@@ -40,6 +40,7 @@ struct OptionSpec {
     std::string folder;  ///< of a preset, below assets/
     std::string asset;   ///< of a file, what is baked from it: "mesh"; empty: it is used as it is
     std::string meaning;
+    std::string plan;  ///< what a plan adds to its module where the scene gives this option; empty: nothing
 };
 
 std::string_view to_string(OptionType type) noexcept;

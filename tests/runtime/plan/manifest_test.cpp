@@ -41,6 +41,7 @@ default = 50
 above = 0
 below = 180
 meaning = "angle of view"
+plan = "seen at an angle"
 [options.size]
 type = "numbers"
 length = 2
@@ -71,6 +72,7 @@ meaning = "pixels"
     CHECK(fov.type == OptionType::number);
     CHECK(fov.unit == "deg");
     CHECK(fov.meaning == "angle of view");
+    CHECK(fov.plan == "seen at an angle");
     CHECK(range_text(fov) == "above 0 and below 180");
     const OptionSpec& size = manifest->options[1];
     CHECK(size.length == 2);
