@@ -4,8 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "fcl_clearance.hpp"
-#include "on_demand.hpp"
 #include "orbweaver/contracts/surface.hpp"
 #include "ready_tree.hpp"
 #include "surface_mesh.hpp"
@@ -36,16 +34,16 @@ public:
     SurfaceStep step(const Footing& from, double length) const noexcept override;
     SurfaceStride stride(const Footing& from, double length,
                          std::span<StrideCorner> corners) const noexcept override;
-    Clearance clearance(const ProbeBody& body, double reach) const noexcept override;
-    Clearance clearance(const ProbeBody& body, const ProbeBody& other) const noexcept override;
 
     /// Whether some query had no memory for what it needed.
     bool out_of_memory() const noexcept { return out_of_memory_.load(std::memory_order_relaxed); }
     const ReadyTree& tree() const noexcept { return tree_; }
-    /// Of FCL's tree; 0 while none was asked for.
-    std::size_t clearance_bytes() const noexcept;
+    /// Of so few triangles that each is asked in turn: there is no tree over them.
+    bool is_treeless() const noexcept { return treeless_; }
 
 private:
+    Underfoot underfoot_few(Stance stance) const noexcept;
+
     template <class Result>
     Result noted(const Result& result, Answer answer) const noexcept {
         if (answer == Answer::failed) out_of_memory_.store(true, std::memory_order_relaxed);
@@ -56,8 +54,8 @@ private:
     GripOverride grip_;
     double size_;
     std::uint32_t shells_;
+    bool treeless_;
     ReadyTree tree_;
-    OnDemand<FclClearance> clearance_;
     mutable std::atomic<bool> out_of_memory_ = false;
 };
 

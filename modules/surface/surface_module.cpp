@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "build.hpp"
 #include "manifest_text.hpp"
 #include "mesh_cache.hpp"
 #include "mesh_file.hpp"
@@ -14,11 +15,12 @@
 namespace orbweaver::surface {
 namespace {
 
-/// The mesh as the scene wants it: where the file has it, or scaled and moved.
+/// The mesh as the scene wants it: where it was made, or scaled and moved.
 class PlacedMesh {
 public:
-    PlacedMesh(const BakedFile& file, std::optional<double> size, const Vec3& position)
-        : mesh_(mesh::mesh_in(file)), tree_(tree_in(file, triangles_of(mesh_))) {
+    PlacedMesh(const mesh::SurfaceMesh& mesh, const std::optional<WideTree>& tree, std::optional<double> size,
+               const Vec3& position)
+        : mesh_(mesh), tree_(tree) {
         const Vec3 extent = mesh_.bounds.max - mesh_.bounds.min;
         const double scale = size ? *size / std::max({extent.x, extent.y, extent.z}) : 1;
         if (scale == 1 && position == Vec3{}) return;
@@ -46,14 +48,34 @@ std::optional<T> given(const Options& options, const char* key, Get get) {
     return options.has(key) ? std::optional<T>((options.*get)(key)) : std::nullopt;
 }
 
-/// The [surface] table: maps its mesh and offers it to whoever walks. Nothing of it changes over time.
+/// A level square about the origin, its upper side up.
+mesh::SurfaceMeshData flat_floor(double edge) {
+    const double half = edge / 2;
+    mesh::RawMesh raw;
+    raw.points = {{-half, 0, -half}, {-half, 0, half}, {half, 0, half}, {half, 0, -half}};
+    raw.material_names = {"floor"};
+    raw.add_polygon({0, 1, 2, 3});
+    mesh::Validation validation;
+    return mesh::build_surface_mesh(raw, {}, "the flat floor", validation);
+}
+
+/// The [surface] table: maps its mesh, or makes its floor, and offers it to whoever walks. Nothing of it
+/// changes over time.
 class SurfaceModule final : public Module {
 public:
     void attach(Host& host) override {
         const Options& options = host.options();
-        if (!options.has("mesh")) {
-            host.report_fault({options.where("mesh"), "the surface has no mesh", "mesh = \"file\"",
-                               "add 'mesh' to [surface]"});
+        if (options.has("mesh") == options.has("floor")) {
+            host.report_fault({options.where("mesh"),
+                               options.has("mesh") ? "the surface has both a mesh and a flat floor"
+                                                   : "the surface has neither a mesh nor a flat floor",
+                               "mesh = \"file\", or floor = \"4 m\"",
+                               options.has("mesh") ? "leave one out" : "add one to [surface]"});
+            return;
+        }
+        if (options.has("floor") && options.has("size")) {
+            host.report_fault({options.where("size"), "'size' scales a mesh, and this surface is a flat floor",
+                               "", "leave it out: 'floor' is the floor's edge"});
             return;
         }
         try {
@@ -76,26 +98,35 @@ public:
     void report(ModuleReport& report) override {
         if (!surface_) return;
         const ReadyTree& tree = surface_->tree();
-        report.memory_bytes = placed_->memory_bytes() + tree.memory_bytes() + surface_->clearance_bytes();
+        report.memory_bytes = placed_->memory_bytes() + tree.memory_bytes();
         report.measure("triangles", static_cast<std::int64_t>(surface_->faces().size()));
         report.measure("size_m", surface_->size());
-        report.measure("tree", std::string(tree.is_baked()           ? "baked"
+        report.measure("tree", std::string(surface_->is_treeless()   ? "none: so few triangles need none"
+                                           : tree.is_baked()         ? "baked"
                                            : tree.memory_bytes() > 0 ? "made when first asked for"
                                                                      : "none: nobody asked for it"));
-        report.measure("clearance_tree",
-                       std::string(surface_->clearance_bytes() > 0 ? "made when first asked for"
-                                                                   : "none: nobody asked for it"));
     }
 
 private:
     void open(const Options& options) {
-        file_.emplace(mesh::open_mesh(options.text("mesh")));
-        placed_.emplace(*file_, given<double>(options, "size", &Options::number), options.vector("position"));
+        mesh::SurfaceMesh mesh;
+        std::optional<WideTree> tree;
+        if (options.has("floor")) {
+            floor_ = flat_floor(options.number("floor"));
+            mesh = floor_.view();
+        } else {
+            file_.emplace(mesh::open_mesh(options.text("mesh")));
+            mesh = mesh::mesh_in(*file_);
+            tree = tree_in(*file_, triangles_of(mesh));
+        }
+        placed_.emplace(mesh, tree, given<double>(options, "size", &Options::number),
+                        options.vector("position"));
         surface_.emplace(placed_->mesh(), placed_->tree(),
                          GripOverride{given<double>(options, "friction", &Options::number),
                                       given<bool>(options, "climbable", &Options::flag)});
     }
 
+    mesh::SurfaceMeshData floor_;
     std::optional<BakedFile> file_;
     std::optional<PlacedMesh> placed_;
     std::optional<MeshSurface> surface_;

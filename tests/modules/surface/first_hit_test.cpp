@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "balls.hpp"
+#include "every_triangle.hpp"
 #include "fcl_tree.hpp"
 #include "obj_mesh.hpp"
 #include "shapes.hpp"
@@ -15,15 +16,6 @@ using orbweaver::surface::test::Ball;
 using orbweaver::surface::test::rough_ball;
 
 namespace {
-
-/// Every triangle asked, none left out.
-SurfaceHit brute_force(const TriangleSet& set, const SurfaceRay& ray) {
-    NearestCrossing nearest(ray.reach);
-    const WatertightRay tight(ray);
-    for (std::uint32_t face = 0; face < set.triangles.size(); ++face)
-        nearest.try_face(tight, set.vertices, set.triangles[face], face);
-    return nearest.hit(set);
-}
 
 /// The distance to the plane of a face by cross products in extended precision: another formula, other
 /// rounding.
@@ -82,7 +74,7 @@ Tally shoot(const Ball& ball, const Placement& place, bool at_edges, int rays) {
         const SurfaceRay ray{origin, unit(target - origin)};
         const SurfaceHit wide = first_hit(tree.view(), set, ray);
         const SurfaceHit slow = fcl.first_hit(ray);
-        const SurfaceHit truth = brute_force(set, ray);
+        const SurfaceHit truth = first_hit_of_all(set, ray);
         REQUIRE(truth.answer == Answer::found);
         if (wide.answer != Answer::found) ++tally.missed;
         if (slow.answer != Answer::found) ++tally.fcl_missed;
@@ -171,7 +163,7 @@ TEST_CASE("both trees say what every triangle tried in turn says, of rays that h
         constexpr int kRays = 1000;
         for (int i = 0; i < kRays; ++i) {
             const SurfaceRay ray = any_ray(random, n, place);
-            const SurfaceHit truth = brute_force(set, ray);
+            const SurfaceHit truth = first_hit_of_all(set, ray);
             hits += truth.answer == Answer::found;
             for (const SurfaceHit& hit : {first_hit(tree.view(), set, ray), fcl.first_hit(ray)})
                 differ += hit.answer != truth.answer || hit.at.face != truth.at.face ||
@@ -231,7 +223,7 @@ TEST_CASE("directions along axes, and as short and long as numbers go, are answe
              {Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}, Vec3{-1, 1e-200, 0}, Vec3{1, 1, 0}}) {
             CAPTURE(length, axis.x, axis.y);
             const SurfaceRay ray{{0.01, 0.02, 0.03}, length * axis};
-            const SurfaceHit truth = brute_force(set, ray);
+            const SurfaceHit truth = first_hit_of_all(set, ray);
             REQUIRE(truth.answer == Answer::found);
             CHECK(first_hit(tree.view(), set, ray).distance == truth.distance);
             CHECK(fcl.first_hit(ray).distance == truth.distance);
