@@ -3,8 +3,10 @@
 #include <string>
 
 #include "fcl_clearance.hpp"
+#include "fcl_tree.hpp"
 #include "manifest_text.hpp"
 #include "on_demand.hpp"
+#include "orbweaver/contracts/surface_ways.hpp"
 #include "orbweaver/entry.hpp"
 
 namespace orbweaver::clearance {
@@ -50,6 +52,32 @@ private:
     mutable std::atomic<bool> out_of_memory_ = false;
 };
 
+/// Rays through FCL's tree, which is made at the first of them.
+class FclWays final : public SurfaceWays {
+public:
+    explicit FclWays(const TriangleSet& set)
+        : tree_([set] { return std::make_unique<const surface::FclTree>(set); }) {}
+
+    std::span<const Way> ways() const noexcept override {
+        static constexpr Way kWays[] = {{"fcl_tree", "a ray through FCL's tree of boxes", Finds::crossing}};
+        return kWays;
+    }
+    void answer(std::size_t, std::span<const Stance> questions,
+                std::span<SurfaceHit> hits) const noexcept override {
+        const surface::FclTree* tree = tree_.get();
+        for (std::size_t i = 0; i < questions.size(); ++i) {
+            const Stance& q = questions[i];
+            if (tree != nullptr)
+                hits[i] = tree->first_hit({q.position, -q.up, q.reach});
+            else
+                hits[i].answer = Answer::failed;
+        }
+    }
+
+private:
+    OnDemand<surface::FclTree> tree_;
+};
+
 /// Drawn in by whoever keeps clear of things. Nothing of it changes over time.
 class ClearanceModule final : public Module {
 public:
@@ -57,7 +85,9 @@ public:
         const Surface* surface = host.find<Surface>();
         set_ = {surface->vertices(), surface->faces()};
         clearances_.emplace(set_);
+        ways_.emplace(set_);
         host.provide<Clearances>(*clearances_);
+        host.provide<SurfaceWays>(*ways_);
     }
 
     void run(Phase, const Frame&) override {
@@ -77,6 +107,7 @@ public:
 private:
     TriangleSet set_;
     std::optional<SurfaceClearances> clearances_;
+    std::optional<FclWays> ways_;
 };
 
 }  // namespace

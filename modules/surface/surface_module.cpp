@@ -8,6 +8,7 @@
 #include "mesh_cache.hpp"
 #include "mesh_file.hpp"
 #include "mesh_surface.hpp"
+#include "mesh_ways.hpp"
 #include "orbweaver/entry.hpp"
 #include "tree_file.hpp"
 #include "walker.hpp"
@@ -85,7 +86,9 @@ public:
             host.report_fault({options.where("mesh"), fault.what(), "", ""});
             return;
         }
+        ways_.emplace(*surface_);
         host.provide<Surface>(*surface_);
+        host.provide<SurfaceWays>(*ways_);
     }
 
     void run(Phase, const Frame&) override {
@@ -130,6 +133,7 @@ private:
     std::optional<BakedFile> file_;
     std::optional<PlacedMesh> placed_;
     std::optional<MeshSurface> surface_;
+    std::optional<MeshWays> ways_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "mesh_surface.hpp"
 #include "obj_mesh.hpp"
 #include "orbweaver/contracts/clearance.hpp"
+#include "orbweaver/contracts/surface_ways.hpp"
 #include "shapes.hpp"
 
 using namespace orbweaver;
@@ -44,4 +45,25 @@ TEST_CASE("FCL's tree is made when a body first asks how far the surface is", "[
     body.center.x = std::nan("");
     CHECK(clearances.clearance(body, INFINITY).answer == Answer::refused);
     REQUIRE(module.run());
+}
+
+TEST_CASE("rays through FCL's tree find what the surface's own ways find", "[unit]") {
+    const auto data = surface::test::built(mesh::sphere(2, 6));
+    MeshSurface ball(data.view(), std::nullopt, {});
+    LoadedModule module("clearance");
+    FakeHost host;
+    host.offer<Surface>(ball);
+    REQUIRE(module.attach(host));
+    const auto& ways = *static_cast<SurfaceWays*>(host.contracts[SurfaceWays::kContract].front());
+    REQUIRE(ways.ways().size() == 1);
+    CHECK(ways.ways()[0].name == std::string("fcl_tree"));
+    std::vector<Stance> questions;
+    for (int i = -12; i <= 12; ++i) questions.push_back({{0.1 * i, 3, 0.05}, {0, 1, 0}, {1, 0, 0}});
+    std::vector<SurfaceHit> hits(questions.size());
+    ways.answer(0, questions, hits);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        const SurfaceHit own = ball.first_hit({questions[i].position, {0, -1, 0}});
+        CHECK(hits[i].answer == own.answer);
+        CHECK(hits[i].position == own.position);
+    }
 }
