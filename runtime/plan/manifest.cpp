@@ -52,6 +52,9 @@ OptionSpec read_option(const std::string& key, const Node& node, Diagnostics& fa
             {node.where, fmt::format("option '{}' has the unknown unit '{}'", key, spec.unit), "", ""});
     if (const Node* value = reader.take("default")) spec.default_value = *value;
     reader.take("required", spec.required);
+    if (key.find('*') != std::string::npos && (spec.default_value || spec.required))
+        faults.push_back({node.where, fmt::format("option '{}' has a default or is required", key),
+                          "neither, of an option whose name the scene gives", ""});
     reader.take_number("min", spec.min);
     reader.take_number("max", spec.max);
     spec.above_min = reader.take_number("above", spec.min);

@@ -26,7 +26,7 @@ enum class OptionType : std::uint8_t {
 
 /// One option of a module, as its manifest declares it.
 struct OptionSpec {
-    std::string key;  ///< dotted when it lies in a nested table
+    std::string key;  ///< dotted when it lies in a nested table; a part * stands for names of the scene's own
     OptionType type = OptionType::text;
     std::string unit = "1";
     std::optional<Node> default_value;
