@@ -85,8 +85,8 @@ private:
             return;
         }
         std::vector<SurfaceHit> hits(set.questions.size());
-        std::vector<double> passes;
-        for (int i = 0; i < settings_.repeats; ++i) passes.push_back(timed(set, offer, hits));
+        std::vector<double> passes(static_cast<std::size_t>(settings_.repeats));
+        for (double& pass : passes) pass = timed(set, offer, hits);
         QueryRow row{set.name, offer.way().name, set.questions.size(), 0, 0, 0, 0, median(std::move(passes))};
         judge(set, offer, hits, row);
         result_.rows.push_back(std::move(row));
