@@ -1,6 +1,7 @@
 #include "mesh_surface.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "every_triangle.hpp"
 #include "geodesic.hpp"
@@ -29,18 +30,16 @@ bool are_few(const mesh::SurfaceMesh& mesh) noexcept { return mesh.triangles.siz
 }  // namespace
 
 MeshSurface::MeshSurface(const mesh::SurfaceMesh& mesh, const std::optional<WideTree>& baked,
-                         const GripOverride& grip)
+                         GripOverrides grips)
     : mesh_(mesh),
-      grip_(grip),
+      grips_(std::move(grips)),
       size_(largest_extent(mesh.bounds)),
       shells_(shell_count(mesh)),
       treeless_(!baked && are_few(mesh)),
       tree_(triangles_of(mesh), treeless_ ? WideTree{} : baked) {}
 
 SurfaceGrip MeshSurface::grip(std::uint32_t face) const noexcept {
-    if (face >= mesh_.property.size()) return {};
-    const mesh::SurfaceProperty& baked = mesh_.properties[mesh_.property[face]];
-    return {grip_.friction.value_or(baked.friction), grip_.climbable.value_or(baked.climbable != 0)};
+    return face < mesh_.property.size() ? grips_.grip(mesh_, face) : SurfaceGrip{};
 }
 
 SurfaceHit MeshSurface::first_hit(const SurfaceRay& ray) const noexcept {

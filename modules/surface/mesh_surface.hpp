@@ -4,23 +4,18 @@
 #include <optional>
 #include <vector>
 
+#include "grips.hpp"
 #include "orbweaver/contracts/surface.hpp"
 #include "ready_tree.hpp"
 #include "surface_mesh.hpp"
 
 namespace orbweaver::surface {
 
-/// What a scene says of the whole surface, in place of what was baked.
-struct GripOverride {
-    std::optional<double> friction;
-    std::optional<bool> climbable;
-};
-
 /// The contract over a mesh. What is dear is made when it is first asked for.
 class MeshSurface final : public Surface {
 public:
     /// Reads `mesh` and `baked` for as long as it lives.
-    MeshSurface(const mesh::SurfaceMesh& mesh, const std::optional<WideTree>& baked, const GripOverride& grip);
+    MeshSurface(const mesh::SurfaceMesh& mesh, const std::optional<WideTree>& baked, GripOverrides grips);
 
     std::span<const Vec3> vertices() const noexcept override { return mesh_.vertices; }
     std::span<const std::array<std::uint32_t, 3>> faces() const noexcept override { return mesh_.triangles; }
@@ -51,7 +46,7 @@ private:
     }
 
     mesh::SurfaceMesh mesh_;
-    GripOverride grip_;
+    GripOverrides grips_;
     double size_;
     std::uint32_t shells_;
     bool treeless_;

@@ -4,12 +4,14 @@
 #include <vector>
 
 #include "build.hpp"
+#include "grip_options.hpp"
 #include "manifest_text.hpp"
 #include "mesh_cache.hpp"
 #include "mesh_file.hpp"
 #include "mesh_surface.hpp"
 #include "mesh_ways.hpp"
 #include "orbweaver/entry.hpp"
+#include "shapes.hpp"
 #include "tree_file.hpp"
 #include "walker.hpp"
 
@@ -50,28 +52,36 @@ std::optional<T> given(const Options& options, const char* key, Get get) {
 }
 
 /// A level square about the origin, its upper side up.
-mesh::SurfaceMeshData flat_floor(double edge) {
+mesh::RawMesh flat_floor(double edge) {
     const double half = edge / 2;
     mesh::RawMesh raw;
     raw.points = {{-half, 0, -half}, {-half, 0, half}, {half, 0, half}, {half, 0, -half}};
     raw.material_names = {"floor"};
     raw.add_polygon({0, 1, 2, 3});
-    mesh::Validation validation;
-    return mesh::build_surface_mesh(raw, {}, "the flat floor", validation);
+    return raw;
 }
 
-/// The [surface] table: maps its mesh, or makes its floor, and offers it to whoever walks. Nothing of it
+mesh::RawMesh shape_of(const Options& options) {
+    const auto shapes = mesh::shapes();
+    const auto shape = std::find_if(shapes.begin(), shapes.end(), [&](const mesh::Shape& each) {
+        return each.name == options.text("shape");
+    });
+    return shape->make(1, static_cast<std::uint32_t>(options.integer("subdivision")));
+}
+
+/// The [surface] table: maps its mesh, or makes its shape, and offers it to whoever walks. Nothing of it
 /// changes over time.
 class SurfaceModule final : public Module {
 public:
     void attach(Host& host) override {
         const Options& options = host.options();
-        if (options.has("mesh") == options.has("floor")) {
+        const int kinds = options.has("mesh") + options.has("shape") + options.has("floor");
+        if (kinds != 1) {
             host.report_fault({options.where("mesh"),
-                               options.has("mesh") ? "the surface has both a mesh and a flat floor"
-                                                   : "the surface has neither a mesh nor a flat floor",
-                               "mesh = \"file\", or floor = \"4 m\"",
-                               options.has("mesh") ? "leave one out" : "add one to [surface]"});
+                               kinds == 0 ? "the surface has no mesh, no shape and no flat floor"
+                                          : "the surface has more than one of a mesh, a shape and a flat floor",
+                               "mesh = \"file\", shape = \"cliff\" or floor = \"4 m\"",
+                               kinds == 0 ? "add one to [surface]" : "leave all but one out"});
             return;
         }
         if (options.has("floor") && options.has("size")) {
@@ -80,7 +90,7 @@ public:
             return;
         }
         try {
-            open(options);
+            open(host);
         } catch (const Fault& fault) {
             if (fault.kind() != FaultKind::invalid) throw;
             host.report_fault({options.where("mesh"), fault.what(), "", ""});
@@ -111,12 +121,16 @@ public:
     }
 
 private:
-    void open(const Options& options) {
+    void open(Host& host) {
+        const Options& options = host.options();
         mesh::SurfaceMesh mesh;
         std::optional<WideTree> tree;
-        if (options.has("floor")) {
-            floor_ = flat_floor(options.number("floor"));
-            mesh = floor_.view();
+        if (!options.has("mesh")) {
+            mesh::Validation validation;
+            const bool flat = options.has("floor");
+            made_ = mesh::build_surface_mesh(flat ? flat_floor(options.number("floor")) : shape_of(options), {},
+                                             flat ? "the flat floor" : "the shape", validation);
+            mesh = made_.view();
         } else {
             file_.emplace(mesh::open_mesh(options.text("mesh")));
             mesh = mesh::mesh_in(*file_);
@@ -124,12 +138,10 @@ private:
         }
         placed_.emplace(mesh, tree, given<double>(options, "size", &Options::number),
                         options.vector("position"));
-        surface_.emplace(placed_->mesh(), placed_->tree(),
-                         GripOverride{given<double>(options, "friction", &Options::number),
-                                      given<bool>(options, "climbable", &Options::flag)});
+        surface_.emplace(placed_->mesh(), placed_->tree(), grips_of(placed_->mesh(), host));
     }
 
-    mesh::SurfaceMeshData floor_;
+    mesh::SurfaceMeshData made_;  // of a shape or a floor
     std::optional<BakedFile> file_;
     std::optional<PlacedMesh> placed_;
     std::optional<MeshSurface> surface_;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -5,6 +6,7 @@
 #include "mesh_file.hpp"
 #include "obj_mesh.hpp"
 #include "orbweaver/contracts/surface.hpp"
+#include "plan/manifest.hpp"
 #include "scratch.hpp"
 #include "shapes.hpp"
 #include "tree_file.hpp"
@@ -117,6 +119,30 @@ TEST_CASE("a flat floor answers everything without a mesh and without a tree", "
     CHECK(measure(module, "tree") == "none: so few triangles need none");
 }
 
+TEST_CASE("each shape of our own is one of the manifest's choices, and is made as large as asked", "[unit]") {
+    const Manifest manifest = *[] {
+        Diagnostics faults;
+        return read_manifest(std::string(ORBWEAVER_MODULE_DIR) + "/surface.toml", faults);
+    }();
+    const auto option = std::find_if(manifest.options.begin(), manifest.options.end(),
+                                     [](const OptionSpec& spec) { return spec.key == "shape"; });
+    REQUIRE(option != manifest.options.end());
+    REQUIRE(option->choices.size() == mesh::shapes().size());
+    for (std::size_t i = 0; i < option->choices.size(); ++i) {
+        const std::string& name = option->choices[i];
+        CAPTURE(name);
+        CHECK(name == mesh::shapes()[i].name);
+        LoadedModule module("surface");
+        FakeHost host;
+        host.set("shape", name);
+        host.set("subdivision", std::int64_t{3});
+        host.set("size", 4.0);
+        host.set("position", Vec3{});
+        REQUIRE(module.attach(host));
+        CHECK(surface_of(host).size() == Approx(4));
+    }
+}
+
 TEST_CASE("a surface is scaled and moved as the scene says, its baked tree with it", "[unit]") {
     const test::Scratch folder;
     bake(folder.path("ball.baked"), mesh::sphere(1, 12), Tree::baked);
@@ -178,7 +204,8 @@ TEST_CASE("a surface that cannot be is told at its place in the scene", "[unit]"
         CHECK(host.contracts.empty());
         return host.faults[0].what;
     };
-    CHECK(what_is_wrong({}) == "the surface has neither a mesh nor a flat floor");
-    CHECK(what_is_wrong({"mesh", "floor"}) == "the surface has both a mesh and a flat floor");
+    CHECK(what_is_wrong({}) == "the surface has no mesh, no shape and no flat floor");
+    CHECK(what_is_wrong({"mesh", "floor"}) ==
+          "the surface has more than one of a mesh, a shape and a flat floor");
     CHECK(what_is_wrong({"floor", "size"}) == "'size' scales a mesh, and this surface is a flat floor");
 }
