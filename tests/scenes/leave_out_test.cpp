@@ -83,6 +83,7 @@ Names mapped_by(const std::string& scene, const Request& request) {
 
 TEST_CASE("headless, a scene maps its own physics and nothing else", "[scene]") {
     const std::map<std::string, Names> expected = {
+        {"cliff", {"surface", "web", "wind"}},
         {"meadow", {"web", "wind"}},
         {"thesis_web", {"web"}},
         {"strand", {"web"}},
