@@ -16,7 +16,7 @@ enum class Answer : std::uint8_t {
     found,
     nothing,  ///< within the reach there is no surface
     refused,  ///< the question means nothing: not finite, no direction, no such face, a reach below 0
-    failed,   ///< no memory for what the answer needs; the surface stops the run with a sentence
+    failed,   ///< no memory for what the answer needs; who was asked stops the run with a sentence
 };
 
 /// From `origin` (m) along `direction` (any length but 0). Distances along it are multiples of the
@@ -99,23 +99,6 @@ struct SurfaceStride {
     std::uint32_t corners = 0;  ///< met; the first of them are in the span that was given
 };
 
-/// A rounded or boxed body, for keeping clear of the surface and of other bodies.
-struct ProbeBody {
-    enum class Shape : std::uint8_t { sphere, capsule, box } shape = Shape::sphere;
-    Vec3 center;  ///< m
-    std::array<Vec3, 3> axes = {
-        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< unit, right-handed; a capsule's is the last
-    Vec3 size;  ///< m; sphere: radius in x; capsule: radius in x, length between its ends' centers in z; box:
-                ///< edges
-};
-
-struct Clearance {
-    Answer answer = Answer::nothing;
-    double distance = 0;  ///< m; 0 when they touch or overlap
-    Vec3 on_body;         ///< m, nearest point of the body; only when distance > 0
-    Vec3 on_other;        ///< m, nearest point of the surface or of the other body; only when distance > 0
-};
-
 /// What one face is to walk on.
 struct SurfaceGrip {
     double friction = 0;    ///< coefficient, 1
@@ -150,11 +133,6 @@ public:
     /// As step(), and on to whatever other shell of the surface stands in the way; tells of the corners met.
     virtual SurfaceStride stride(const Footing& from, double length,
                                  std::span<StrideCorner> corners) const noexcept = 0;
-
-    /// How far a body is from the surface, if within `reach` (m).
-    virtual Clearance clearance(const ProbeBody& body, double reach) const noexcept = 0;
-    /// How far two bodies are from each other.
-    virtual Clearance clearance(const ProbeBody& body, const ProbeBody& other) const noexcept = 0;
 
 protected:
     ~Surface() = default;
