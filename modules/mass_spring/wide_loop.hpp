@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "targets.hpp"
+#include "orbweaver/targets.hpp"
 
 namespace orbweaver::mass_spring {
 
