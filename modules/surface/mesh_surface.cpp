@@ -11,8 +11,6 @@ namespace orbweaver::surface {
 
 namespace {
 
-constexpr SurfaceHit kFailedHit{Answer::failed, {}, 0, {}, {}};
-
 double largest_extent(const mesh::Bounds& bounds) noexcept {
     const Vec3 extent = bounds.max - bounds.min;
     return std::max({extent.x, extent.y, extent.z});
@@ -36,7 +34,7 @@ MeshSurface::MeshSurface(const mesh::SurfaceMesh& mesh, const std::optional<Wide
       grip_(grip),
       size_(largest_extent(mesh.bounds)),
       shells_(shell_count(mesh)),
-      tree_(triangles_of(mesh), baked),
+      parts_(mesh, baked),
       clearance_([set = triangles_of(mesh)] { return std::make_unique<const FclClearance>(set); }) {}
 
 SurfaceGrip MeshSurface::grip(std::uint32_t face) const noexcept {
@@ -45,22 +43,28 @@ SurfaceGrip MeshSurface::grip(std::uint32_t face) const noexcept {
     return {grip_.friction.value_or(baked.friction), grip_.climbable.value_or(baked.climbable != 0)};
 }
 
+Vec3 MeshSurface::position(const SurfacePoint& at) const noexcept {
+    return position_of(triangles_of(mesh_), at);
+}
+
+Vec3 MeshSurface::normal(std::uint32_t face) const noexcept { return face_normal(triangles_of(mesh_), face); }
+
 SurfaceHit MeshSurface::first_hit(const SurfaceRay& ray) const noexcept {
     if (!is_sound(ray)) return kRefusedHit;
-    const WideTree* tree = tree_.get();
+    const WideTree* tree = parts_.tree();
     if (tree == nullptr) return noted(kFailedHit, Answer::failed);
     return surface::first_hit(*tree, triangles_of(mesh_), ray);
 }
 
 SurfaceHit MeshSurface::closest_point(const Vec3& point, double reach) const noexcept {
     if (!is_finite(point) || !(reach >= 0)) return kRefusedHit;
-    const WideTree* tree = tree_.get();
+    const WideTree* tree = parts_.tree();
     if (tree == nullptr) return noted(kFailedHit, Answer::failed);
     return surface::closest_point(*tree, triangles_of(mesh_), point, reach);
 }
 
 Underfoot MeshSurface::underfoot(const Stance& stance) const noexcept {
-    const Underfoot found = surface::underfoot(mesh_, tree_, stance);
+    const Underfoot found = surface::underfoot(mesh_, parts_, stance);
     return noted(found, found.hit.answer);
 }
 
@@ -74,7 +78,7 @@ SurfaceStep MeshSurface::step(const Footing& from, double length) const noexcept
 
 SurfaceStride MeshSurface::stride(const Footing& from, double length,
                                   std::span<StrideCorner> corners) const noexcept {
-    const SurfaceStride found = surface::stride(mesh_, shells_, tree_, from, length, corners);
+    const SurfaceStride found = surface::stride(mesh_, shells_, parts_, from, length, corners);
     return noted(found, found.step.answer);
 }
 

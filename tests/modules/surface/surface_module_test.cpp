@@ -101,7 +101,9 @@ TEST_CASE("a surface is scaled and moved as the scene says, its baked tree with 
     const SurfaceHit down = surface.first_hit({{10, 40, 30}, {0, -1, 0}});
     REQUIRE(down.answer == Answer::found);
     CHECK(down.distance == Approx(17));
-    CHECK(distance(surface.closest_point({10, 10, 30}, 100).position, {10, 17, 30}) < 1e-14);
+    CHECK(distance(surface.position(down.at), {10, 23, 30}) < 1e-13);
+    CHECK(dot(surface.normal(down.at.face), {0, 1, 0}) > 0.9);
+    CHECK(distance(surface.position(surface.closest_point({10, 10, 30}, 100).at), {10, 17, 30}) < 1e-14);
     CHECK(surface.first_hit({{10, 40, 33.1}, {0, -1, 0}}).answer == Answer::nothing);
 }
 
