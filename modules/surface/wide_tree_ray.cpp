@@ -122,8 +122,8 @@ private:
         return met;
     }
 
-    Floats inverse_[3], near_[3], far_[3];
     NearestCrossing nearest_;
+    Floats inverse_[3], near_[3], far_[3];
     const WideTree& tree_;
     const TriangleSet& set_;
     const BoxRay& box_;
