@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "targets.hpp"
+#include "orbweaver/targets.hpp"
 
 /// No pass of the loop that follows depends on another.
 #if defined(__clang__)

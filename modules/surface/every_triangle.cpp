@@ -1,6 +1,7 @@
 #include "every_triangle.hpp"
 
 #include "closest_point.hpp"
+#include "face_record.hpp"
 #include "watertight.hpp"
 
 namespace orbweaver::surface {
@@ -9,8 +10,8 @@ SurfaceHit first_hit_of_all(const TriangleSet& set, const SurfaceRay& ray) noexc
     NearestCrossing nearest(ray.reach);
     const WatertightRay tight(ray);
     for (std::uint32_t face = 0; face < set.triangles.size(); ++face)
-        nearest.try_face(tight, set.vertices, set.triangles[face], face);
-    return nearest.hit(set);
+        nearest.try_face(tight, rows_of(set, face), face);
+    return nearest.hit();
 }
 
 SurfaceHit closest_point_of_all(const TriangleSet& set, const Vec3& point, double reach) noexcept {
@@ -23,9 +24,8 @@ SurfaceHit closest_point_of_all(const TriangleSet& set, const Vec3& point, doubl
         nearest = at;
         least = away;
     }
-    SurfaceHit hit;
-    if (nearest.face != kNoFace) fill_in(hit, set, nearest, least);
-    return hit;
+    if (nearest.face == kNoFace) return {};
+    return {Answer::found, nearest, least};
 }
 
 }  // namespace orbweaver::surface

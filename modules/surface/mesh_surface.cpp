@@ -13,8 +13,6 @@ namespace orbweaver::surface {
 
 namespace {
 
-constexpr SurfaceHit kFailedHit{Answer::failed, {}, 0, {}, {}};
-
 double largest_extent(const mesh::Bounds& bounds) noexcept {
     const Vec3 extent = bounds.max - bounds.min;
     return std::max({extent.x, extent.y, extent.z});
@@ -36,16 +34,22 @@ MeshSurface::MeshSurface(const mesh::SurfaceMesh& mesh, const std::optional<Wide
       size_(largest_extent(mesh.bounds)),
       shells_(shell_count(mesh)),
       treeless_(!baked && are_few(mesh)),
-      tree_(triangles_of(mesh), treeless_ ? WideTree{} : baked) {}
+      parts_(mesh, treeless_ ? WideTree{} : baked) {}
 
 SurfaceGrip MeshSurface::grip(std::uint32_t face) const noexcept {
     return face < mesh_.property.size() ? grips_.grip(mesh_, face) : SurfaceGrip{};
 }
 
+Vec3 MeshSurface::position(const SurfacePoint& at) const noexcept {
+    return position_of(triangles_of(mesh_), at);
+}
+
+Vec3 MeshSurface::normal(std::uint32_t face) const noexcept { return face_normal(triangles_of(mesh_), face); }
+
 SurfaceHit MeshSurface::first_hit(const SurfaceRay& ray) const noexcept {
     if (!is_sound(ray)) return kRefusedHit;
     if (treeless_) return first_hit_of_all(triangles_of(mesh_), ray);
-    const WideTree* tree = tree_.get();
+    const WideTree* tree = parts_.tree();
     if (tree == nullptr) return noted(kFailedHit, Answer::failed);
     return surface::first_hit(*tree, triangles_of(mesh_), ray);
 }
@@ -53,14 +57,14 @@ SurfaceHit MeshSurface::first_hit(const SurfaceRay& ray) const noexcept {
 SurfaceHit MeshSurface::closest_point(const Vec3& point, double reach) const noexcept {
     if (!is_finite(point) || !(reach >= 0)) return kRefusedHit;
     if (treeless_) return closest_point_of_all(triangles_of(mesh_), point, reach);
-    const WideTree* tree = tree_.get();
+    const WideTree* tree = parts_.tree();
     if (tree == nullptr) return noted(kFailedHit, Answer::failed);
     return surface::closest_point(*tree, triangles_of(mesh_), point, reach);
 }
 
 Underfoot MeshSurface::underfoot(const Stance& stance) const noexcept {
     if (treeless_) return underfoot_few(stance);
-    const Underfoot found = surface::underfoot(mesh_, tree_, stance);
+    const Underfoot found = surface::underfoot(mesh_, parts_, stance);
     return noted(found, found.hit.answer);
 }
 
@@ -71,7 +75,7 @@ Underfoot MeshSurface::underfoot_few(Stance stance) const noexcept {
         stance.last = 0;
         stance.side = dot(stance.up, face_normal(set, 0)) < 0 ? -1 : 1;
     }
-    const Underfoot found = surface::underfoot(mesh_, tree_, stance);
+    const Underfoot found = surface::underfoot(mesh_, parts_, stance);
     if (found.hit.answer != Answer::nothing) return found;
     const SurfaceHit below = first_hit_of_all(set, {stance.position, -stance.up, stance.reach});
     if (below.answer == Answer::found) return {below, FoundBy::tree};
@@ -88,7 +92,7 @@ SurfaceStep MeshSurface::step(const Footing& from, double length) const noexcept
 
 SurfaceStride MeshSurface::stride(const Footing& from, double length,
                                   std::span<StrideCorner> corners) const noexcept {
-    const SurfaceStride found = surface::stride(mesh_, shells_, tree_, from, length, corners);
+    const SurfaceStride found = surface::stride(mesh_, shells_, parts_, from, length, corners);
     return noted(found, found.step.answer);
 }
 

@@ -6,7 +6,7 @@
 
 #include "grips.hpp"
 #include "orbweaver/contracts/surface.hpp"
-#include "ready_tree.hpp"
+#include "ready_parts.hpp"
 #include "surface_mesh.hpp"
 
 namespace orbweaver::surface {
@@ -22,6 +22,8 @@ public:
     std::span<const std::uint32_t> polygons() const noexcept override { return mesh_.polygon; }
     double size() const noexcept override { return size_; }
     SurfaceGrip grip(std::uint32_t face) const noexcept override;
+    Vec3 position(const SurfacePoint& at) const noexcept override;
+    Vec3 normal(std::uint32_t face) const noexcept override;
     SurfaceHit first_hit(const SurfaceRay& ray) const noexcept override;
     SurfaceHit closest_point(const Vec3& point, double reach) const noexcept override;
     Underfoot underfoot(const Stance& stance) const noexcept override;
@@ -32,7 +34,7 @@ public:
 
     /// Whether some query had no memory for what it needed.
     bool out_of_memory() const noexcept { return out_of_memory_.load(std::memory_order_relaxed); }
-    const ReadyTree& tree() const noexcept { return tree_; }
+    const ReadyParts& parts() const noexcept { return parts_; }
     /// Of so few triangles that each is asked in turn: there is no tree over them.
     bool is_treeless() const noexcept { return treeless_; }
 
@@ -50,7 +52,7 @@ private:
     double size_;
     std::uint32_t shells_;
     bool treeless_;
-    ReadyTree tree_;
+    ReadyParts parts_;
     mutable std::atomic<bool> out_of_memory_ = false;
 };
 

@@ -103,21 +103,21 @@ public:
 
     void run(Phase, const Frame&) override {
         if (surface_->out_of_memory())
-            throw Fault(FaultKind::limit, "no memory for a tree over the surface's " +
+            throw Fault(FaultKind::limit, "no memory for a tree or records over the surface's " +
                                               std::to_string(surface_->faces().size()) +
                                               " triangles; bake the mesh with its tree, or use a coarser one");
     }
 
     void report(ModuleReport& report) override {
         if (!surface_) return;
-        const ReadyTree& tree = surface_->tree();
-        report.memory_bytes = placed_->memory_bytes() + tree.memory_bytes();
+        const ReadyParts& parts = surface_->parts();
+        report.memory_bytes = placed_->memory_bytes() + parts.tree_bytes() + parts.faces_bytes();
         report.measure("triangles", static_cast<std::int64_t>(surface_->faces().size()));
         report.measure("size_m", surface_->size());
-        report.measure("tree", std::string(surface_->is_treeless()   ? "none: so few triangles need none"
-                                           : tree.is_baked()         ? "baked"
-                                           : tree.memory_bytes() > 0 ? "made when first asked for"
-                                                                     : "none: nobody asked for it"));
+        report.measure("tree", std::string(surface_->is_treeless()  ? "none: so few triangles need none"
+                                           : parts.tree_is_baked()  ? "baked"
+                                           : parts.tree_bytes() > 0 ? "made when first asked for"
+                                                                    : "none: nobody asked for it"));
     }
 
 private:

@@ -106,8 +106,8 @@ private:
         return elapsed / times / static_cast<double>(set.questions.size());
     }
 
-    static void judge(const QuestionSet& set, const Offer& offer, const std::vector<SurfaceHit>& hits,
-                      QueryRow& row) {
+    void judge(const QuestionSet& set, const Offer& offer, const std::vector<SurfaceHit>& hits,
+               QueryRow& row) const {
         std::vector<double> errors;
         for (std::size_t i = 0; i < hits.size(); ++i) {
             const QueryTruth& truth = set.truths[i];
@@ -120,7 +120,8 @@ private:
             }
             row.invented += truth.places.empty();
             double error = HUGE_VAL;
-            for (const Vec3& place : truth.places) error = std::min(error, distance(place, hits[i].position));
+            const Vec3 found = surface_.position(hits[i].at);
+            for (const Vec3& place : truth.places) error = std::min(error, distance(place, found));
             if (!truth.places.empty()) errors.push_back(error);
         }
         if (errors.empty()) return;

@@ -22,9 +22,9 @@ TEST_CASE("each way answers by what it is named after", "[unit]") {
         const std::vector<Stance> questions = {above, leaning, senseless};
         std::vector<SurfaceHit> hits(questions.size());
         ways.answer(i, questions, hits);
-        CHECK(distance(hits[0].position, {0.3, 1, 0.2}) < 1e-15);
+        CHECK(distance(cube.position(hits[0].at), {0.3, 1, 0.2}) < 1e-15);
         const bool is_nearest = way.finds == SurfaceWays::Finds::nearest;
-        CHECK(distance(hits[1].position, {is_nearest ? 0.3 : 0.675, 1, 0.2}) < 1e-15);
+        CHECK(distance(cube.position(hits[1].at), {is_nearest ? 0.3 : 0.675, 1, 0.2}) < 1e-15);
         CHECK(hits[2].answer == Answer::refused);
     }
 }

@@ -95,11 +95,11 @@ TEST_CASE("a flat floor answers everything without a mesh and without a tree", "
             const SurfaceHit down = surface.first_hit({{x, 3, z}, {0, -2, 0}});
             REQUIRE(down.answer == Answer::found);
             CHECK(std::abs(down.distance - 1.25) < 1e-15);
-            CHECK(down.normal == Vec3{0, 1, 0});
-            CHECK(distance(surface.closest_point({x, -0.5, z}, 1).position, {x, 0.5, z}) < 1e-15);
+            CHECK(surface.normal(down.at.face) == Vec3{0, 1, 0});
+            CHECK(distance(surface.position(surface.closest_point({x, -0.5, z}, 1).at), {x, 0.5, z}) < 1e-15);
             const Underfoot under = surface.underfoot({{x, 0.6, z}, {0, 1, 0}, {1, 0, 0}});
             REQUIRE(under.hit.answer == Answer::found);
-            CHECK(distance(under.hit.position, {x, 0.5, z}) < 1e-15);
+            CHECK(distance(surface.position(under.hit.at), {x, 0.5, z}) < 1e-15);
             CHECK(surface.underfoot({{x, 0.6, z}, {0, 1, 0}, {1, 0, 0}, 0, 1, 0.05}).hit.answer ==
                   Answer::nothing);
         }
@@ -110,7 +110,7 @@ TEST_CASE("a flat floor answers everything without a mesh and without a tree", "
     // Beyond the rim the scan or the nearest point finds the way back.
     const Underfoot beyond = surface.underfoot({{3.01, 0.6, -2}, {0, 1, 0}, {1, 0, 0}});
     REQUIRE(beyond.hit.answer == Answer::found);
-    CHECK(distance(beyond.hit.position, {3, 0.5, -2}) < 0.1);
+    CHECK(distance(surface.position(beyond.hit.at), {3, 0.5, -2}) < 0.1);
     SurfaceStep at = surface.place({0, {0.4, 0.3, 0.3}}, {0, 1, 0}, {1, 0, 0.1});
     at = surface.stride(at.end, 100, {}).step;
     CHECK(at.stop == StepStop::border);
@@ -161,7 +161,9 @@ TEST_CASE("a surface is scaled and moved as the scene says, its baked tree with 
     const SurfaceHit down = surface.first_hit({{10, 40, 30}, {0, -1, 0}});
     REQUIRE(down.answer == Answer::found);
     CHECK(down.distance == Approx(17));
-    CHECK(distance(surface.closest_point({10, 10, 30}, 100).position, {10, 17, 30}) < 1e-14);
+    CHECK(distance(surface.position(down.at), {10, 23, 30}) < 1e-13);
+    CHECK(dot(surface.normal(down.at.face), {0, 1, 0}) > 0.9);
+    CHECK(distance(surface.position(surface.closest_point({10, 10, 30}, 100).at), {10, 17, 30}) < 1e-14);
     CHECK(surface.first_hit({{10, 40, 33.1}, {0, -1, 0}}).answer == Answer::nothing);
 }
 

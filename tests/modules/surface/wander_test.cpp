@@ -7,7 +7,7 @@
 #include "geodesic.hpp"
 #include "obj_mesh.hpp"
 #include "orbweaver/random.hpp"
-#include "ready_tree.hpp"
+#include "ready_parts.hpp"
 #include "shapes.hpp"
 
 using namespace orbweaver;
@@ -140,7 +140,7 @@ struct OpenWander {
 };
 
 /// A walk that begins on `face` and turns back wherever the surface ends.
-void wander_open(const mesh::SurfaceMesh& mesh, const ReadyTree& tree, std::uint32_t face, int steps,
+void wander_open(const mesh::SurfaceMesh& mesh, const ReadyParts& parts, std::uint32_t face, int steps,
                  OpenWander& result) {
     const auto set = triangles_of(mesh);
     const Vec3 extent = mesh.bounds.max - mesh.bounds.min;
@@ -172,7 +172,7 @@ void wander_open(const mesh::SurfaceMesh& mesh, const ReadyTree& tree, std::uint
         }
         if (i % 16 == 0)
             result.worst_distance = std::max(
-                result.worst_distance, closest_point(*tree.get(), set, at.position, size).distance / size);
+                result.worst_distance, closest_point(*parts.tree(), set, at.position, size).distance / size);
     }
 }
 
@@ -184,11 +184,11 @@ TEST_CASE("a quarter of a million steps each over the open ones, whose borders e
         CAPTURE(name);
         const auto data = built(read_obj(std::string(ORBWEAVER_MESHES "/") + name + ".obj"));
         const mesh::SurfaceMesh mesh = data.view();
-        const ReadyTree tree(triangles_of(mesh));
+        const ReadyParts parts(mesh);
         constexpr int kSteps = 250'000, kWalks = 50;
         OpenWander result;
         for (std::uint32_t walk = 0; walk < kWalks; ++walk)  // so that every shell has some
-            wander_open(mesh, tree, static_cast<std::uint32_t>(walk * mesh.triangles.size() / kWalks),
+            wander_open(mesh, parts, static_cast<std::uint32_t>(walk * mesh.triangles.size() / kWalks),
                         kSteps / kWalks, result);
         CHECK(result.lost == 0);
         CHECK(result.borders > 100);

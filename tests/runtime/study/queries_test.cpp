@@ -24,7 +24,7 @@ public:
         for (std::size_t i = 0; i < questions.size(); ++i) {
             hits[i] = {};
             if (way == 1) hits[i].answer = Answer::found;
-            if (way == 1) hits[i].position = {0, 100, 0};
+            if (way == 1) hits[i].at = {0, {1, 0, 0}};
         }
     }
 };

@@ -33,12 +33,11 @@ struct SurfacePoint {
     std::array<double, 3> weights{};
 };
 
+/// What a query found; Surface::position and Surface::normal tell the rest to who wants it.
 struct SurfaceHit {
     Answer answer = Answer::nothing;
     SurfacePoint at;      ///< both faces of a triangle are hit
     double distance = 0;  ///< along a ray in its direction's lengths; else m
-    Vec3 position;        ///< m, on the face
-    Vec3 normal;          ///< unit, of the face's winding (counter-clockwise from where it points)
 };
 
 /// A body that wants to know the polygon under it.
@@ -117,6 +116,10 @@ public:
     virtual std::span<const std::uint32_t> polygons() const noexcept = 0;
     virtual double size() const noexcept = 0;  ///< m, largest extent of the bounds
     virtual SurfaceGrip grip(std::uint32_t face) const noexcept = 0;
+    /// m, where a place on one of the faces is.
+    virtual Vec3 position(const SurfacePoint& at) const noexcept = 0;
+    /// Unit, of the winding of one of the faces (counter-clockwise from where it points).
+    virtual Vec3 normal(std::uint32_t face) const noexcept = 0;
 
     /// The nearest crossing of ray and surface.
     virtual SurfaceHit first_hit(const SurfaceRay& ray) const noexcept = 0;
