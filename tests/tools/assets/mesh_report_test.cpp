@@ -30,7 +30,7 @@ TEST_CASE("a program reads what a mesh holds and what was found in it", "[unit]"
     const test::Folder folder;
     const auto json = nlohmann::json::parse(mesh_json(bake_sample(folder)));
     CHECK(json["kind"] == "mesh");
-    CHECK(json["version"] == 2);
+    CHECK(json["version"] == mesh::kMeshVersion);
     CHECK(json["source_hash"].get<std::string>().size() == 32);
     CHECK(json["triangles"] == 3);
     CHECK(json["polygons"] == 2);
