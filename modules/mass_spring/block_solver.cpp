@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "lanes.hpp"
-#include "targets.hpp"
+#include "orbweaver/targets.hpp"
 
 namespace orbweaver::mass_spring {
 namespace {

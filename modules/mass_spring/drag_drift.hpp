@@ -1,6 +1,6 @@
 #pragma once
 
-#include "targets.hpp"
+#include "orbweaver/targets.hpp"
 
 namespace orbweaver::mass_spring {
 

@@ -4,9 +4,9 @@
 
 namespace orbweaver::mass_spring {
 
-ImplicitTangent::ImplicitTangent(const Network& network, LinearSolverKind solver)
+ImplicitTangent::ImplicitTangent(const Network& network, const Packing& packing, LinearSolverKind solver)
     : network_(&network),
-      packing_(network.size()),
+      packing_(packing),
       solver_(make_linear_solver(solver, network)),
       x_(network.size()),
       right_(network.size()),

@@ -15,8 +15,8 @@ class SpringSystem;
 /// W = M + c C + k K of a network, and its solution, for implicit methods (see DynamicSystem).
 class ImplicitTangent {
 public:
-    /// `network` must outlive it.
-    ImplicitTangent(const Network& network, LinearSolverKind solver);
+    /// `network` must outlive it; vectors come as `packing` has them.
+    ImplicitTangent(const Network& network, const Packing& packing, LinearSolverKind solver);
 
     /// `system` is of the same network.
     bool prepare(const SpringSystem& system, std::span<const double> x, double c, double k, bool clamped);

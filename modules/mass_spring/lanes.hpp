@@ -2,22 +2,12 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 
-#include "targets.hpp"
+#include "orbweaver/lanes.hpp"
 
 namespace orbweaver::mass_spring {
 
-/// Four doubles at once.
-using Lanes = double __attribute__((vector_size(32)));
-
-ORBWEAVER_INLINE Lanes load(const double* from) noexcept {
-    Lanes lanes;
-    std::memcpy(&lanes, from, sizeof lanes);
-    return lanes;
-}
-
-ORBWEAVER_INLINE void store(double* to, const Lanes& lanes) noexcept { std::memcpy(to, &lanes, sizeof lanes); }
+using orbweaver::load, orbweaver::store;
 
 ORBWEAVER_INLINE Lanes sqrt(const Lanes& s) noexcept {
     return Lanes{std::sqrt(s[0]), std::sqrt(s[1]), std::sqrt(s[2]), std::sqrt(s[3])};

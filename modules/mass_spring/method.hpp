@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <span>
@@ -50,9 +51,9 @@ struct MethodInfo {
 std::span<const MethodInfo> methods() noexcept;
 /// The method of that name, or null.
 const MethodInfo* find_method(std::string_view name) noexcept;
-/// A whole number that stands for a method in saved states, made of its name.
-double mark_of(const MethodInfo& method) noexcept;
-/// The method of that mark, or null.
-const MethodInfo* find_marked_method(double mark) noexcept;
+/// By which states tell a method, whatever others there are: a hash of its name (FNV-1a of 64 bits).
+std::uint64_t method_key(const MethodInfo& method) noexcept;
+/// The method of that key, or null.
+const MethodInfo* find_method(std::uint64_t key) noexcept;
 
 }  // namespace orbweaver::mass_spring

@@ -1,22 +1,18 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "method.hpp"
-#include "spring_system.hpp"
+#include "rehearsal.hpp"
 
 namespace orbweaver::mass_spring {
 
 /// What a run is to be like: so accurate, or so cheap.
 struct ChoiceGoal {
-    double frame_step = 0;  ///< s
-    double frames = 1;      ///< of the run
-    double tolerance = 0;   ///< m, errors of single frames added up over the run; 0: a budget instead
-    double budget = 0;      ///< s a frame, as SpringSystem::work_seconds() counts it
+    double tolerance = 0;                ///< m, over the run; 0: a budget instead
+    double budget = 0;                   ///< s a frame, as SpringSystem::work_seconds() counts it
+    std::int64_t max_substeps = 100000;  ///< steps of a frame, parts of divided ones counted
 };
 
 /// A method at a step, and what trials say of it.
@@ -33,12 +29,13 @@ struct MethodChoice {
     std::string sentence;  ///< what was chosen, and against what
 };
 
-/// Picks method and step from trials of a few frames each, under each of `loads` (external forces, N per
-/// particle; none: as they are) suddenly put on: each method starts at the longest step that its stability and
-/// the frame allow, and halves it until what the next halving changes (Richardson) is little enough (a quarter
-/// of the tolerance), or it costs more than another way that is. Counts work instead of time, so that the
-/// choice is the same on every machine. The system's surroundings are as before when it returns.
-MethodChoice choose_method(SpringSystem& system, const Surroundings& surroundings, std::span<const Vec3> x,
-                           std::span<const std::vector<Vec3>> loads, const ChoiceGoal& goal);
+/// Picks method and step from trials in a Rehearsal, the cheapest first, each method from the longest step that
+/// its stability and the frame allow, then at halves of it: the first whose error, four times over, is within
+/// the tolerance, or the most accurate within the budget. What errs is told by the most exact run so far, which
+/// is itself judged by half its step (Richardson); how errors of the frames that are tried become the run's, by
+/// twins (ErrorGrowth). All of it takes at most 2 s of work, counted and not timed, so that the choice is the
+/// same on every machine; but a first frame of each method is always tried. The system's surroundings are as
+/// before when it returns. Throws Fault(diverged) when nothing holds in at most `max_substeps` steps a frame.
+MethodChoice choose_method(SpringSystem& system, const RunAhead& run, const ChoiceGoal& goal);
 
 }  // namespace orbweaver::mass_spring

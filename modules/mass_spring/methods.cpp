@@ -24,24 +24,29 @@ std::span<const MethodInfo> methods() noexcept {
     return table;
 }
 
+namespace {
+
+template <class Is>
+const MethodInfo* find_if(const Is& is) noexcept {
+    const auto all = methods();
+    const auto found = std::find_if(all.begin(), all.end(), is);
+    return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
 const MethodInfo* find_method(std::string_view name) noexcept {
-    const auto all = methods();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const MethodInfo& m) { return m.name == name; });
-    return found == all.end() ? nullptr : &*found;
+    return find_if([&](const MethodInfo& m) { return m.name == name; });
 }
 
-double mark_of(const MethodInfo& method) noexcept {
-    std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a of 64 bits
-    for (const char letter : method.name) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3;
-    return static_cast<double>(hash >> 12);  // which a double holds
+std::uint64_t method_key(const MethodInfo& method) noexcept {
+    std::uint64_t hash = 0xcbf29ce484222325U;
+    for (const char c : method.name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    return hash;
 }
 
-const MethodInfo* find_marked_method(double mark) noexcept {
-    const auto all = methods();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const MethodInfo& m) { return mark_of(m) == mark; });
-    return found == all.end() ? nullptr : &*found;
+const MethodInfo* find_method(std::uint64_t key) noexcept {
+    return find_if([&](const MethodInfo& m) { return method_key(m) == key; });
 }
 
 }  // namespace orbweaver::mass_spring

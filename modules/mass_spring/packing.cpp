@@ -6,16 +6,20 @@ void Packing::pack(std::span<const Vec3> vectors, std::span<double> packed) cons
     const std::size_t y = plane();
     const std::size_t z = 2 * y;
     for (std::size_t i = 0; i < particles_; ++i) {
-        packed[i] = vectors[i].x;
-        packed[y + i] = vectors[i].y;
-        packed[z + i] = vectors[i].z;
+        const std::size_t at = place(i);
+        packed[at] = vectors[i].x;
+        packed[y + at] = vectors[i].y;
+        packed[z + at] = vectors[i].z;
     }
 }
 
 void Packing::unpack(std::span<const double> packed, std::span<Vec3> vectors) const noexcept {
     const std::size_t y = plane();
     const std::size_t z = 2 * y;
-    for (std::size_t i = 0; i < particles_; ++i) vectors[i] = {packed[i], packed[y + i], packed[z + i]};
+    for (std::size_t i = 0; i < particles_; ++i) {
+        const std::size_t at = place(i);
+        vectors[i] = {packed[at], packed[y + at], packed[z + at]};
+    }
 }
 
 }  // namespace orbweaver::mass_spring

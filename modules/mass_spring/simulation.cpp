@@ -1,9 +1,7 @@
 #include "simulation.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
 
 #include "orbweaver/fault.hpp"
 #include "quantity.hpp"
@@ -11,6 +9,13 @@
 #include "substep_plan.hpp"
 
 namespace orbweaver::mass_spring {
+namespace {
+
+/// A whole number that a double holds.
+double mark_of(const MethodInfo& method) noexcept { return static_cast<double>(method_key(method) >> 12); }
+
+}  // namespace
+
 Simulation::Simulation(SpringSystem& system, SimulationSettings settings, double frame_step, std::span<Vec3> x,
                        std::span<Vec3> v, std::span<double> memory, std::span<double> creep)
     : system_(&system),

@@ -8,8 +8,12 @@ namespace {
 /// The ends of a spring in planes of coordinates.
 class Ends {
 public:
-    Ends(const Network& network, const Spring& spring, std::size_t plane) noexcept
-        : a_(spring.a), b_(spring.b), plane_(plane), wa_(weight(network, a_)), wb_(weight(network, b_)) {}
+    Ends(const Network& network, const Spring& spring, const Packing& packing) noexcept
+        : a_(packing.place(spring.a)),
+          b_(packing.place(spring.b)),
+          plane_(packing.plane()),
+          wa_(weight(network, spring.a)),
+          wb_(weight(network, spring.b)) {}
 
     double weight() const noexcept { return wa_ + wb_; }  ///< 1/kg, 0 when both are fixed
     /// x_a - x_b
@@ -44,12 +48,13 @@ void SpringSystem::free_accelerations(std::span<const double> v, std::span<doubl
     for (std::size_t i = 0; i < size(); ++i) {
         if (network_->fixed[i] != 0) continue;
         const double inverse = 1 / network_->mass[i];
-        const Vec3 velocity{v[i], v[plane + i], v[2 * plane + i]};
+        const std::size_t at = packing().place(i);
+        const Vec3 velocity{v[at], v[plane + at], v[2 * plane + at]};
         const Vec3 undamped = gravity_ + inverse * (external_force(i) - drag_ * velocity);
         const Vec3 each = undamped / (1 + h * drag_ * inverse);
-        a[i] = each.x;
-        a[plane + i] = each.y;
-        a[2 * plane + i] = each.z;
+        a[at] = each.x;
+        a[plane + at] = each.y;
+        a[2 * plane + at] = each.z;
     }
 }
 
@@ -57,10 +62,9 @@ void SpringSystem::free_accelerations(std::span<const double> v, std::span<doubl
 // that a spring without stiffness has a meaning, and with the tangent of a curved one for k.
 void SpringSystem::project_springs(std::span<const double> start, std::span<double> x,
                                    double h) const noexcept {
-    const std::size_t plane = packing().plane();
     for (std::size_t i = 0; i < network_->springs.size(); ++i) {
         const Spring& s = network_->springs[i];
-        const Ends ends(*network_, s, plane);
+        const Ends ends(*network_, s, packing());
         if (ends.weight() == 0) continue;
         const Vec3 l = ends.extent(x);
         const double length = norm(l);
@@ -76,9 +80,8 @@ void SpringSystem::project_springs(std::span<const double> start, std::span<doub
 }
 
 void SpringSystem::limit_strain(std::span<double> x, double strain) const noexcept {
-    const std::size_t plane = packing().plane();
     for (const Spring& s : network_->springs) {
-        const Ends ends(*network_, s, plane);
+        const Ends ends(*network_, s, packing());
         const Vec3 l = ends.extent(x);
         const double length = norm(l);
         if (s.stiffness == 0 || s.rest_length == 0) continue;  // cut, or never strained

@@ -19,7 +19,10 @@ SpringSystem::SpringSystem(const Network& network, Workers* workers)
       pull_(3 * table_.slots) {}
 
 void SpringSystem::network_changed() {
+    std::vector<Vec3> external(external_.empty() ? 0 : size());
+    if (!external.empty()) packing().unpack(external_, external);
     table_ = SpringTable(*network_);
+    if (!external.empty()) packing().pack(external, external_);
     pull_.assign(3 * table_.slots, 0.0);
     creep_.clear();
     implicit_ = nullptr;
@@ -129,7 +132,8 @@ double SpringSystem::spectral_radius() {
 }
 
 bool SpringSystem::prepare(std::span<const double> x, double c, double k, Tangent tangent) {
-    if (implicit_ == nullptr) implicit_ = std::make_unique<ImplicitTangent>(*network_, linear_solver_);
+    if (implicit_ == nullptr)
+        implicit_ = std::make_unique<ImplicitTangent>(*network_, packing(), linear_solver_);
     work_ += implicit_->prepare_seconds();
     return implicit_->prepare(*this, x, c, k, tangent == Tangent::clamped);
 }
@@ -147,9 +151,10 @@ double SpringSystem::evaluation_seconds() const noexcept {
 double SpringSystem::inner_product(std::span<const double> r, std::span<const double> u) const noexcept {
     const std::size_t plane = packing().plane();
     double sum = 0;
-    for (std::size_t i = 0; i < size(); ++i)
-        sum += network_->mass[i] *
-               (r[i] * u[i] + r[plane + i] * u[plane + i] + r[2 * plane + i] * u[2 * plane + i]);
+    for (std::size_t i = 0; i < size(); ++i) {
+        const std::size_t x = packing().place(i), y = plane + x, z = plane + y;
+        sum += network_->mass[i] * (r[x] * u[x] + r[y] * u[y] + r[z] * u[z]);
+    }
     return sum;
 }
 
@@ -170,7 +175,8 @@ void SpringSystem::forces(std::span<const Vec3> x, std::span<const Vec3> v, std:
 Vec3 SpringSystem::external_force(std::size_t particle) const noexcept {
     if (external_.empty()) return {};
     const std::size_t plane = packing().plane();
-    return {external_[particle], external_[plane + particle], external_[2 * plane + particle]};
+    const std::size_t at = packing().place(particle);
+    return {external_[at], external_[plane + at], external_[2 * plane + at]};
 }
 
 Energy SpringSystem::energy(std::span<const Vec3> x, std::span<const Vec3> v) const noexcept {

@@ -16,11 +16,14 @@ namespace orbweaver::mass_spring {
 /// ends move on to the next particle. A run is cut into *quads* of four springs, whose eight ends are two
 /// unbroken stretches of memory; gaps are filled with springs of no stiffness. The force of a spring is kept
 /// in a slot of its own, run after run with zeros between, so that the forces on a *block* of four
-/// particles are unbroken stretches of slots too: no index is looked up per spring.
+/// particles are unbroken stretches of slots too: no index is looked up per spring. Where the network's own
+/// numbering of its particles makes no runs, `packing` has them in an order that does: whoever reads a plane
+/// goes by it.
 struct SpringTable {
     explicit SpringTable(const Network& network);
 
-    /// Springs between particles a + j and b + j, j = 0..3, a < b, with their forces in slots slot + j.
+    /// Springs between the particles at places a + j and b + j, j = 0..3, a < b, with their forces in slots
+    /// slot + j.
     struct Quad {
         std::uint32_t a = 0;
         std::uint32_t b = 0;
@@ -54,7 +57,7 @@ struct SpringTable {
 
     std::vector<Block> blocks;
     std::vector<std::uint32_t> incident;  ///< first slots of stretches of four
-    std::vector<double> inverse_mass;     ///< 1/kg, per particle; 0 for fixed ones and padding
+    std::vector<double> inverse_mass;     ///< 1/kg, per place; 0 for fixed ones and padding
     std::size_t slots = 0;                ///< vectors of pull, those between runs always zero
 
     std::size_t memory_bytes() const noexcept;

@@ -2,19 +2,26 @@
 
 #include <cstddef>
 
-#include "targets.hpp"
+#include "orbweaver/targets.hpp"
+
+/// No pass of the loop that follows depends on another.
+#if defined(__clang__)
+#define ORBWEAVER_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define ORBWEAVER_INDEPENDENT _Pragma("GCC ivdep")
+#endif
 
 namespace orbweaver::mass_spring {
 
 template <class Body>
 ORBWEAVER_AVX2 void wide_loop_avx2(std::size_t count, const Body& body) noexcept {
-#pragma GCC ivdep
+    ORBWEAVER_INDEPENDENT
     for (std::size_t i = 0; i < count; ++i) body(i);
 }
 
 template <class Body>
 void wide_loop_plain(std::size_t count, const Body& body) noexcept {
-#pragma GCC ivdep
+    ORBWEAVER_INDEPENDENT
     for (std::size_t i = 0; i < count; ++i) body(i);
 }
 

@@ -7,6 +7,7 @@
 #include "buckets.hpp"
 #include "orbweaver/fault.hpp"
 #include "shells.hpp"
+#include "t_junctions.hpp"
 #include "triangulate.hpp"
 #include "weld.hpp"
 
@@ -188,6 +189,7 @@ void join(SurfaceMeshData& mesh, Validation& validation) {
     validation.nonmanifold_vertices = 0;
     validation.first_nonmanifold_vertex = kNone;
     find_nonmanifold_vertices(mesh.view(), validation);
+    find_t_junctions(mesh.view(), validation);
     validation.first_border = first_with(mesh.across, kBorder);
     validation.first_nonmanifold = first_with(mesh.across, kNonManifold);
 }

@@ -11,7 +11,8 @@
 namespace orbweaver::mesh {
 
 inline constexpr std::string_view kMeshType = "mesh";
-inline constexpr std::uint32_t kMeshVersion = 1;  ///< of the sections below; others are refused
+/// Of the sections below and of the tree that lies beside them; others are refused.
+inline constexpr std::uint32_t kMeshVersion = 3;
 
 /// Adds a mesh's sections. What its arrays view is not copied: it outlives the writer.
 void add_mesh(BakedWriter& writer, const SurfaceMesh& mesh, const Validation& validation);

@@ -19,6 +19,7 @@ struct Validation {
     std::uint64_t border_edges = 0;          ///< of one face
     std::uint64_t nonmanifold_edges = 0;     ///< of more than two faces
     std::uint64_t nonmanifold_vertices = 0;  ///< where surfaces touch that no edge joins there, as in a bow-tie
+    std::uint64_t t_junctions = 0;           ///< vertices on borders that lie on another border edge
     std::uint64_t shells = 0;
     std::uint64_t one_sided_shells = 0;              ///< that cannot be wound consistently, as a Moebius strip
     std::uint64_t flipped = 0;                       ///< triangles wound against the most of their shell
@@ -28,10 +29,12 @@ struct Validation {
     std::uint32_t first_nonmanifold = kNone;         ///< triangle
     std::uint32_t first_nonmanifold_vertex = kNone;  ///< vertex
     std::uint32_t first_flipped = kNone;             ///< triangle
+    std::uint32_t first_t_junction = kNone;          ///< vertex
+    std::uint32_t reserved = 0;
 
     friend bool operator==(const Validation&, const Validation&) = default;
 };
-static_assert(sizeof(Validation) == 13 * 8 + 6 * 4);
+static_assert(sizeof(Validation) == 14 * 8 + 8 * 4);
 
 /// Counts vertices whose triangles are held together at them by more than one bundle of edges.
 void find_nonmanifold_vertices(const SurfaceMesh& mesh, Validation& into);

@@ -42,9 +42,30 @@ GaitState gait_state(const Conduct& conduct, CreatureState& state) noexcept {
     return {&state.phase, std::span(state.start).first(legs), std::span(state.progress).first(legs)};
 }
 
+/// How much a standing leg is strained: 1 where it steps out of turn.
+double strain_of(const Limb& limb, const BodyPose& body, const Pace& pace, const Foot& foot) noexcept {
+    const Vec3 place = from_world(body, foot.place);
+    const double stretch = distance(place, limb.base) / (kStrained * limb.leg.length);
+    const double off = norm(across(place - stance_home(limb), {0, 1, 0}));
+    return std::max(stretch, off / (kOffHome * pace.duty * pace.stride / 2 + 0.15 * limb.leg.length));
+}
+
+/// The part of its speed that a creature keeps which waits for its legs.
+double patience(const Conduct& conduct, const CreatureState& state) noexcept {
+    constexpr double kSlowest = 0.2;
+    const BodyPose body = pose_of(conduct, state);
+    const Pace pace = pace_at(conduct.pace, norm(state.ground.velocity));
+    double most = 0;
+    for (std::size_t leg = 0; leg < conduct.species->limbs.size(); ++leg)
+        if (state.progress[leg] < 0 && state.feet[leg].holds)
+            most = std::max(most, strain_of(conduct.species->limbs[leg], body, pace, state.feet[leg]));
+    return std::clamp(1 - 3 * (most - 1.2), kSlowest, 1.0);
+}
+
 Vec3 wish(const Conduct& conduct, const Company& company, const Feel& feel, double reach, double dt,
           CreatureState& state) noexcept {
-    const double careful = caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest);
+    const double careful =
+        caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest) * patience(conduct, state);
     const Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
                       conduct.pace.top_speed * careful};
     const double speed = norm(state.ground.velocity);
@@ -72,14 +93,6 @@ void steer(const Conduct& conduct, const Company& company, const Feel& feel, dou
     const Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
                       conduct.pace.top_speed};
     state.ground.velocity = accelerate(agent, signal, dt);
-}
-
-bool is_strained(const Limb& limb, const BodyPose& body, const Pace& pace, const Foot& foot) noexcept {
-    if (!foot.holds) return true;
-    const Vec3 place = from_world(body, foot.place);
-    if (distance(place, limb.base) > kStrained * limb.leg.length) return true;
-    const Vec3 off = place - stance_home(limb);
-    return norm(across(off, {0, 1, 0})) > kOffHome * pace.duty * pace.stride / 2 + 0.15 * limb.leg.length;
 }
 
 void begin_swing(const Surface& surface, const Conduct& conduct, const Limb& limb, const BodyPose& body,
@@ -121,7 +134,10 @@ void step_feet(const Surface& surface, const Conduct& conduct, double dt, Creatu
     const Pace pace = pace_at(conduct.pace, norm(state.ground.velocity));
     std::array<std::uint8_t, kMaxLegs> strained{}, lifted{}, landed{};
     for (std::size_t leg = 0; leg < legs; ++leg)
-        strained[leg] = is_strained(conduct.species->limbs[leg], body, pace, state.feet[leg]) ? 1 : 0;
+        strained[leg] =
+            !state.feet[leg].holds || strain_of(conduct.species->limbs[leg], body, pace, state.feet[leg]) > 1
+                ? 1
+                : 0;
     const GaitState gait = gait_state(conduct, state);
     const GaitTick tick{dt,
                         kLandingTime,

@@ -69,9 +69,7 @@ public:
             else
                 open(tree_.nodes[next.child]);
         }
-        SurfaceHit hit;
-        if (at_.face != kNoFace) fill_in(hit, set_, at_, best_);
-        return hit;
+        return at_.face == kNoFace ? SurfaceHit{} : SurfaceHit{Answer::found, at_, best_};
     }
 
 private:

@@ -17,7 +17,15 @@ public:
 
     /// Null when it could not be made: no memory. It is then tried again at the next call.
     const T* get() const noexcept {
-        if (const T* made = ready_.load(std::memory_order_acquire); made != nullptr) return made;
+        const T* made = ready_.load(std::memory_order_acquire);
+        return made != nullptr ? made : make_now();
+    }
+
+    /// What was made so far, or null.
+    const T* made() const noexcept { return ready_.load(std::memory_order_acquire); }
+
+private:
+    [[gnu::noinline]] const T* make_now() const noexcept {
         try {
             const std::scoped_lock lock(making_);
             if (made_ == nullptr) made_ = make_();
@@ -28,10 +36,6 @@ public:
         return made_.get();
     }
 
-    /// What was made so far, or null.
-    const T* made() const noexcept { return ready_.load(std::memory_order_acquire); }
-
-private:
     std::function<std::unique_ptr<const T>()> make_;
     mutable std::mutex making_;
     mutable std::unique_ptr<const T> made_;

@@ -16,11 +16,11 @@ constexpr double kFeeler = 1e-7;
 
 class Stride {
 public:
-    Stride(const SurfaceMesh& mesh, std::uint32_t shells, const ReadyTree& tree, const Footing& from,
+    Stride(const SurfaceMesh& mesh, std::uint32_t shells, const ReadyParts& parts, const Footing& from,
            const Vec3& ahead, std::span<StrideCorner> corners) noexcept
         : mesh_(mesh),
           shells_(shells),
-          tree_(tree),
+          parts_(parts),
           walker_(mesh, from.at, from.side, ahead),
           corners_(corners) {
         const Vec3 extent = mesh.bounds.max - mesh.bounds.min;
@@ -54,7 +54,8 @@ private:
         if (wall.answer != Answer::found || mesh_.shell[wall.at.face] == mesh_.shell[before.at().face])
             return false;
         if (!count_crossing()) return true;
-        const Vec3 towards = dot(wall.normal, before.direction()) < 0 ? wall.normal : -wall.normal;
+        const Vec3 normal = face_normal(triangles_of(mesh_), wall.at.face);
+        const Vec3 towards = dot(normal, before.direction()) < 0 ? normal : -normal;
         const Vec3 along = cross(up, towards);
         const Vec3 rise = in_plane(mesh_, wall.at.face, up);
         if (along == Vec3{} || rise == Vec3{}) return false;  // flat on the floor: nothing to climb
@@ -65,7 +66,7 @@ private:
         const Vec3 upwards = dot(climbing, up) < 0 ? -climbing : climbing;
         left -= wall.distance;
         result_.step.walked += wall.distance;
-        walker_.jump(wall.at, towards == wall.normal ? 1 : -1, unit(aside * crease + ahead * upwards));
+        walker_.jump(wall.at, towards == normal ? 1 : -1, unit(aside * crease + ahead * upwards));
         note_corner(up, before.direction());
         return true;
     }
@@ -88,12 +89,12 @@ private:
         if (hit.answer != Answer::found || hit.at.face == walker_.at().face) return false;
         const Vec3 ahead = in_plane(mesh_, hit.at.face, walker_.direction());
         if (ahead == Vec3{}) return false;
-        walker_.jump(hit.at, dot(hit.normal, up) < 0 ? -1 : 1, ahead);
+        walker_.jump(hit.at, dot(face_normal(triangles_of(mesh_), hit.at.face), up) < 0 ? -1 : 1, ahead);
         return true;
     }
 
     SurfaceHit cast(const SurfaceRay& ray) noexcept {
-        const WideTree* tree = tree_.get();
+        const WideTree* tree = parts_.tree();
         if (tree != nullptr) return first_hit(*tree, triangles_of(mesh_), ray);
         result_.step.answer = Answer::failed;
         return {};
@@ -120,7 +121,7 @@ private:
 
     const SurfaceMesh& mesh_;
     std::uint32_t shells_;
-    const ReadyTree& tree_;
+    const ReadyParts& parts_;
     Walker walker_;
     std::span<StrideCorner> corners_;
     double feeler_ = 0;
@@ -129,12 +130,12 @@ private:
 
 }  // namespace
 
-SurfaceStride stride(const SurfaceMesh& mesh, std::uint32_t shells, const ReadyTree& tree, const Footing& from,
-                     double length, std::span<StrideCorner> corners) noexcept {
+SurfaceStride stride(const SurfaceMesh& mesh, std::uint32_t shells, const ReadyParts& parts,
+                     const Footing& from, double length, std::span<StrideCorner> corners) noexcept {
     if (!is_sound(mesh, from) || !(length >= 0) || !std::isfinite(length)) return {};
     const Vec3 ahead = in_plane(mesh, from.at.face, from.forward);
     if (ahead == Vec3{}) return {};
-    return Stride(mesh, shells, tree, from, ahead, corners).run(length);
+    return Stride(mesh, shells, parts, from, ahead, corners).run(length);
 }
 
 }  // namespace orbweaver::surface

@@ -23,7 +23,8 @@ struct TriangleSet {
     }
 };
 
-inline constexpr SurfaceHit kRefusedHit{Answer::refused, {}, 0, {}, {}};
+inline constexpr SurfaceHit kRefusedHit{Answer::refused, {}, 0};
+inline constexpr SurfaceHit kFailedHit{Answer::failed, {}, 0};
 
 /// Twice the face's area along its normal (m^2).
 inline Vec3 area_normal(const std::array<Vec3, 3>& p) noexcept { return cross(p[1] - p[0], p[2] - p[0]); }
@@ -47,31 +48,6 @@ inline Vec3 unit_normal(const std::array<Vec3, 3>& p) noexcept {
 
 inline Vec3 face_normal(const TriangleSet& set, std::uint32_t face) noexcept {
     return unit_normal(set.corners(face));
-}
-
-/// Fills in a hit of which the place and the distance are known. In place, and corners by reference: copying
-/// them costs as much as all else.
-inline void fill_in(SurfaceHit& hit, const TriangleSet& set, const SurfacePoint& at, double distance) noexcept {
-    const Corners& c = set.triangles[at.face];
-    const Vec3& p = set.vertices[c[0]];
-    const Vec3 a = set.vertices[c[1]] - p;
-    const Vec3 b = set.vertices[c[2]] - p;
-    const double u = at.weights[1], v = at.weights[2];
-    hit.answer = Answer::found;
-    hit.at.face = at.face;
-    hit.at.weights[0] = at.weights[0];
-    hit.at.weights[1] = u;
-    hit.at.weights[2] = v;
-    hit.distance = distance;
-    hit.position = {p.x + u * a.x + v * b.x, p.y + u * a.y + v * b.y, p.z + u * a.z + v * b.z};
-    const double nx = a.y * b.z - a.z * b.y, ny = a.z * b.x - a.x * b.z, nz = a.x * b.y - a.y * b.x;
-    const double square = nx * nx + ny * ny + nz * nz;
-    if (square > 1e-280 && square < 1e280) {
-        const double length = std::sqrt(square);
-        hit.normal = {nx / length, ny / length, nz / length};
-    } else {
-        hit.normal = extreme_normal(set.corners(at.face));
-    }
 }
 
 }  // namespace orbweaver::surface

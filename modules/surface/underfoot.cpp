@@ -41,37 +41,11 @@ constexpr std::array<ScanAngle, 11> kScan = {{{kCos15, kSin15},
                                               {-kSqrt3 / 2, 0.5},
                                               {-kCos15, kSin15}}};
 
-/// The last face and those beyond the edges that the ray passes outside of. A face of which the ray would meet
-/// the other side lies under a fold: there the walk ends.
-bool walk(const SurfaceMesh& mesh, const Stance& stance, Underfoot& found) noexcept {
-    const WatertightRay tight({stance.position, -stance.up, stance.reach});
-    std::uint32_t face = stance.last;
-    int side = stance.side;
-    for (int i = 0; i < kMostSteps; ++i) {
-        const auto& c = mesh.triangles[face];
-        const Vec3& p = mesh.vertices[c[0]];
-        if (side * dot(cross(mesh.vertices[c[1]] - p, mesh.vertices[c[2]] - p), stance.up) <= 0) return false;
-        Crossing crossing;
-        if (tight.meets(mesh.vertices, mesh.triangles[face], stance.reach, crossing) ==
-            WatertightRay::Meets::crosses) {
-            fill_in(found.hit, triangles_of(mesh), face, crossing);
-            found.by = i == 0 ? FoundBy::current : FoundBy::walk;
-            return true;
-        }
-        const int edge = tight.outside_of(mesh.vertices, mesh.triangles[face]);
-        if (edge < 0) return false;
-        const std::uint32_t code = mesh.across[face][static_cast<std::size_t>(edge)];
-        if (!mesh::is_neighbour(code)) return false;
-        face = mesh::across_triangle(code);
-        if (mesh::is_flipped(code)) side = -side;
-    }
-    return false;
-}
-
 class Search {
 public:
-    Search(const SurfaceMesh& mesh, const ReadyTree& tree, const Stance& stance) noexcept
-        : mesh_(mesh), tree_(tree), stance_(stance), up_(stance.up), down_(ray(-up_)) {}
+    Search(const SurfaceMesh& mesh, const ReadyParts& parts, const FaceRecord* faces,
+           const Stance& stance) noexcept
+        : mesh_(mesh), parts_(parts), faces_(faces), stance_(stance), up_(stance.up), down_(ray(-up_)) {}
 
     /// Where the walk found nothing.
     Underfoot run() noexcept {
@@ -115,8 +89,8 @@ private:
         const WatertightRay tight(ray);
         NearestCrossing nearest(ray.reach);
         for (std::size_t i = first; i < count_; ++i)
-            nearest.try_face(tight, mesh_.vertices, mesh_.triangles[around_[i]], around_[i]);
-        return keep_nearer(nearest.hit(triangles_of(mesh_)));
+            nearest.try_face(tight, faces_[around_[i]].corners, around_[i]);
+        return keep_nearer(nearest.hit());
     }
 
     bool keep_nearer(const SurfaceHit& hit) noexcept {
@@ -142,8 +116,8 @@ private:
     }
 
     SurfaceHit search_all() noexcept {
-        const WideTree* tree = tree_.get();
-        if (tree == nullptr) return {Answer::failed, {}, 0, {}, {}};
+        const WideTree* tree = parts_.tree();
+        if (tree == nullptr) return kFailedHit;
         const auto cast = [&](const SurfaceRay& ray) {
             return keep_nearer(first_hit(*tree, triangles_of(mesh_), ray));
         };
@@ -152,7 +126,8 @@ private:
     }
 
     const SurfaceMesh& mesh_;
-    const ReadyTree& tree_;
+    const ReadyParts& parts_;
+    const FaceRecord* faces_;
     const Stance& stance_;
     Vec3 up_;
     SurfaceRay down_;
@@ -161,15 +136,89 @@ private:
     std::size_t count_ = 0;
 };
 
+/// What the walk did not find.
+[[gnu::noinline]] Underfoot search(const SurfaceMesh& mesh, const ReadyParts& parts, const FaceRecord* faces,
+                                   const Stance& stance) noexcept {
+    if (!is_sound(stance)) return {kRefusedHit};
+    return Search(mesh, parts, faces, stance).run();
+}
+
+/// The edge that a line passes outside of by most; without branches, which nobody could foresee.
+ORBWEAVER_INLINE std::size_t worst_edge(const EdgeFunctions& e) noexcept {
+    const double least = std::min(e.edges[0], e.edges[2]);
+    const std::size_t edge = e.edges[0] < e.edges[2] ? 1 : 0;
+    return e.edges[1] < least ? 2 : edge;
+}
+
+/// Calls for the neighbours of a face that was just come to: most likely one of them is asked for soon.
+ORBWEAVER_INLINE void fetch_around(const FaceRecord* faces, std::uint32_t face) noexcept {
+    for (const std::uint32_t code : faces[face].across) {
+        const FaceRecord* next = faces + (mesh::is_neighbour(code) ? mesh::across_triangle(code) : face);
+        __builtin_prefetch(next);
+        __builtin_prefetch(&next->across);
+    }
+}
+
+/// The last face and those beyond the edges that the ray passes outside of by most. A face of which the ray
+/// would meet the other side lies under a fold: there the walk ends.
+ORBWEAVER_INLINE Underfoot walk(const SurfaceMesh& mesh, const ReadyParts& parts, const Stance& stance,
+                                const FaceRecord* faces, std::size_t axis) noexcept {
+    WatertightRay line(stance.position, stance.up, axis);
+    // Of faces that turn the body's side to it the edge functions become positive inside, and NaN where up or
+    // forward is not finite. All else that makes a stance unsound fails the comparisons below.
+    const Vec3 directions = stance.up + stance.forward;
+    line.multiply(in_all(stance.side * line.sign_along() + 0 * (directions.x + directions.y + directions.z)));
+    std::uint32_t face = stance.last;
+    for (int i = 0; i < kMostSteps; ++i) {
+        const EdgeFunctions e = line.edges(faces[face].corners);
+        if (e.are_positive() || e.least() >= 0) {
+            const auto [scale, above] = line.crossing(e);
+            if (!(-above >= 0 && -above <= stance.reach)) break;
+            if (i > 0) fetch_around(faces, face);
+            return {{Answer::found, {face, weights_of(e.edges, scale)}, -above},
+                    i == 0 ? FoundBy::current : FoundBy::walk};
+        }
+        const std::uint32_t code = faces[face].across[worst_edge(e)];
+        if (!(e.total() > 0) || !mesh::is_neighbour(code)) break;
+        face = mesh::across_triangle(code);
+        if (mesh::is_flipped(code)) line.multiply(in_all(-1));
+    }
+    return search(mesh, parts, faces, stance);
+}
+
+ORBWEAVER_INLINE Underfoot ask(const SurfaceMesh& mesh, const ReadyParts& parts, const FaceRecord* faces,
+                               const Stance& stance) noexcept {
+    if (stance.last >= mesh.triangles.size() || (stance.side != 1 && stance.side != -1)) [[unlikely]]
+        return search(mesh, parts, faces, stance);
+    // Each axis has code of its own: a body keeps to one for a while, and foresight costs less than indices.
+    switch (WatertightRay::axis_of(stance.up)) {
+        case 0:
+            return walk(mesh, parts, stance, faces, 0);
+        case 1:
+            return walk(mesh, parts, stance, faces, 1);
+        default:
+            return walk(mesh, parts, stance, faces, 2);
+    }
+}
+
+[[gnu::noinline]] Underfoot ask_plain(const SurfaceMesh& mesh, const ReadyParts& parts, const FaceRecord* faces,
+                                      const Stance& stance) noexcept {
+    return ask(mesh, parts, faces, stance);
+}
+[[gnu::noinline]] ORBWEAVER_AVX2 Underfoot ask_avx2(const SurfaceMesh& mesh, const ReadyParts& parts,
+                                                    const FaceRecord* faces, const Stance& stance) noexcept {
+    return ask(mesh, parts, faces, stance);
+}
+
+const bool kWideVectors = has_avx2();
+
 }  // namespace
 
-Underfoot underfoot(const SurfaceMesh& mesh, const ReadyTree& tree, const Stance& stance) noexcept {
-    Underfoot found;
-    if (!is_sound(stance))
-        found.hit.answer = Answer::refused;
-    else if (stance.last >= mesh.triangles.size() || !walk(mesh, stance, found))
-        found = Search(mesh, tree, stance).run();
-    return found;
+Underfoot underfoot(const SurfaceMesh& mesh, const ReadyParts& parts, const Stance& stance) noexcept {
+    const FaceRecord* faces = parts.faces();
+    if (faces == nullptr) [[unlikely]]
+        return {is_sound(stance) ? kFailedHit : kRefusedHit};
+    return kWideVectors ? ask_avx2(mesh, parts, faces, stance) : ask_plain(mesh, parts, faces, stance);
 }
 
 }  // namespace orbweaver::surface

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "orbweaver/contracts/surface.hpp"
-#include "ready_tree.hpp"
+#include "ready_parts.hpp"
 #include "surface_mesh.hpp"
 
 namespace orbweaver::surface {
@@ -14,6 +14,6 @@ namespace orbweaver::surface {
 /// then 4. rays that scan back and forth along the forward axis, and from side to side, at growing angles, over
 /// the same rings (the same, for edges that drop away under the body); then 5. the ray, the scan and the
 /// nearest point over the whole surface, which asks for the tree.
-Underfoot underfoot(const mesh::SurfaceMesh& mesh, const ReadyTree& tree, const Stance& stance) noexcept;
+Underfoot underfoot(const mesh::SurfaceMesh& mesh, const ReadyParts& parts, const Stance& stance) noexcept;
 
 }  // namespace orbweaver::surface

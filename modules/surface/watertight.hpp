@@ -1,12 +1,15 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
 
-#include "triangle_set.hpp"
+#include "face_record.hpp"
+#include "orbweaver/lanes.hpp"
 
 namespace orbweaver::surface {
 
@@ -15,15 +18,34 @@ inline bool is_sound(const SurfaceRay& ray) noexcept {
     return is_finite(ray.origin) && is_finite(ray.direction) && ray.direction != Vec3{} && ray.reach >= 0;
 }
 
+/// The power of two by which a direction is multiplied so that its longest component becomes 1 or more and less
+/// than 2; less for one whose numbers are near the end of their range.
+ORBWEAVER_INLINE double power_to_one(const Vec3& v) noexcept {
+    const double longest =
+        std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z), std::numeric_limits<double>::min()});
+    constexpr std::uint64_t kExponent = 0x7FF0000000000000, kOfTwoInAll = 0x7FE0000000000000;
+    const std::uint64_t exponent = std::bit_cast<std::uint64_t>(longest) & kExponent;
+    return std::bit_cast<double>(kOfTwoInAll - std::min(exponent, kOfTwoInAll - (std::uint64_t{1} << 52)));
+}
+
 /// Four units in the last place: how far a corner may be from where it was meant to be, of its largest number.
 inline constexpr double kGrain = 4 * std::numeric_limits<double>::epsilon();
 
-/// Where a ray meets a triangle: the weights of its corners, times a common factor `total`.
-struct Crossing {
-    double distance = 0;
-    double u = 0, v = 0, w = 0;
-    double total = 0;
+/// What a line says of a triangle, corner by corner: the function of the edge opposite to it, which is the
+/// corner's weight times `total` where the line passes inside, and its depth.
+struct EdgeFunctions {
+    Lanes edges;  ///< the last is 0
+    Lanes depths;
+
+    ORBWEAVER_INLINE double total() const noexcept { return edges[0] + edges[1] + edges[2]; }
+    ORBWEAVER_INLINE double least() const noexcept { return std::min(std::min(edges[0], edges[1]), edges[2]); }
+    /// Quicker than least() >= 0, and true only if that is.
+    ORBWEAVER_INLINE bool are_positive() const noexcept { return sign_bits(edges) == 0; }
 };
+
+ORBWEAVER_INLINE std::array<double, 3> weights_of(const Lanes& edges, double scale) noexcept {
+    return {edges[0] * scale, edges[1] * scale, edges[2] * scale};
+}
 
 /// The ray-triangle test of Woop, Benthin and Wald (2013), in double: the ray is sheared on to the axis along
 /// which it is longest, where three edge functions say on which side of each edge it passes. What an edge's
@@ -31,141 +53,157 @@ struct Crossing {
 /// around an edge or a vertex at least one is hit. A ray that passes outside of an edge by no more than the
 /// rounding of the numbers it is made of is said to graze the triangle: so that one which is aimed at the rim
 /// of what it sees is not lost to the last bit of its direction.
+///
+/// Nothing is divided before it is known whether the triangle is met: with d the direction and z its axis, a
+/// corner is sheared to (d_z x - d_x z, d_z y - d_y z), d_z times what the paper has.
 class WatertightRay {
 public:
-    explicit WatertightRay(const SurfaceRay& ray) noexcept : origin_{ray.origin.x, ray.origin.y, ray.origin.z} {
-        const double d[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
-        z_ = std::abs(d[0]) > std::abs(d[1]) ? 0 : 1;
-        if (std::abs(d[2]) > std::abs(d[z_])) z_ = 2;
-        x_ = (z_ + 1) % 3;
-        y_ = (z_ + 2) % 3;
-        scale_z_ = 1 / d[z_];
-        shear_x_ = d[x_] * scale_z_;
-        shear_y_ = d[y_] * scale_z_;
+    /// Of the axis along which the direction is longest.
+    ORBWEAVER_INLINE static std::size_t axis_of(const Vec3& direction) noexcept {
+        const double x = std::abs(direction.x), y = std::abs(direction.y), z = std::abs(direction.z);
+        if (x > y) return z > x ? 2 : 0;
+        return z > y ? 2 : 1;
+    }
+
+    /// For a direction whose length is near 1; `axis` is axis_of(direction).
+    ORBWEAVER_INLINE WatertightRay(const Vec3& origin, const Vec3& direction, std::size_t axis) noexcept
+        : x_(axis == 2 ? 0 : axis + 1), y_(axis == 0 ? 2 : axis - 1), z_(axis) {
+        const double *o = &origin.x, *d = &direction.x;
+        origin_x_ = in_all(o[x_]);
+        origin_y_ = in_all(o[y_]);
+        origin_z_ = in_all(o[z_]);
+        along_x_ = along_ = in_all(d[z_]);
+        shear_x_ = in_all(d[x_]);
+        shear_y_ = in_all(d[y_]);
+    }
+    /// All edge functions are multiplied by this from now on.
+    ORBWEAVER_INLINE void multiply(const Lanes& by) noexcept {
+        along_x_ *= by;
+        shear_x_ *= by;
+    }
+    /// For a direction of any length but 0.
+    ORBWEAVER_INLINE explicit WatertightRay(const SurfaceRay& ray) noexcept
+        : WatertightRay(ray, power_to_one(ray.direction), axis_of(ray.direction)) {}
+
+    template <class Rows>
+    ORBWEAVER_INLINE EdgeFunctions edges(const Rows& rows) const noexcept {
+        const Lanes z = rows.row(z_) - origin_z_;
+        const Lanes x = (rows.row(x_) - origin_x_) * along_x_ - shear_x_ * z;
+        const Lanes y = (rows.row(y_) - origin_y_) * along_ - shear_y_ * z;
+        return {before(x) * after(y) - before(y) * after(x), z};
+    }
+
+    /// The sign of `total()` for a triangle whose normal points along the line.
+    ORBWEAVER_INLINE double sign_along() const noexcept { return -std::copysign(1.0, along_[0]); }
+
+    /// What a crossing's edge functions are multiplied by to be its weights, and how far it is, in lengths of
+    /// the direction.
+    struct Crossing {
+        double scale;
+        double distance;
+    };
+    ORBWEAVER_INLINE Crossing crossing(const EdgeFunctions& e) const noexcept {
+        const Lanes each = e.edges * e.depths;
+        const double inverse = 1 / (e.total() * along_[0]);
+        return {inverse * along_[0], (each[0] + each[1] + each[2]) * inverse * unit_};
     }
 
     enum class Meets : std::uint8_t { not_at_all, grazes, crosses };
 
-    /// Whether the triangle is met, on either face, at a distance in [0, reach].
-    Meets meets(std::span<const Vec3> vertices, const Corners& corners, double reach,
-                Crossing& out) const noexcept {
-        Edges e = edges(vertices, corners);
-        double total = e.u + e.v + e.w;
-        const double sign = total < 0 ? -1 : 1;
-        const double least = std::min({sign * e.u, sign * e.v, sign * e.w});
+    /// Whether the triangle is met, on either face, at a distance in [0, reach]. `e` is what edges() said; of a
+    /// triangle that is grazed it becomes what it would be on the rim.
+    template <class Rows>
+    ORBWEAVER_INLINE Meets meets(const Rows& rows, double reach, EdgeFunctions& e,
+                                 Crossing& met) const noexcept {
+        const double total = e.total();
+        const double sign = std::copysign(1.0, total);
+        const double least = EdgeFunctions{e.edges * sign, e.depths}.least();
+        constexpr double kWorthALook = 1e-6;  // of the triangle: rounding is far below, unless it is far away
+        if (least < -kWorthALook * std::abs(total)) return Meets::not_at_all;
         const bool grazes = least < 0;
-        if (grazes) {
-            constexpr double kWorthALook =
-                1e-6;  // of the triangle: rounding is far below, unless it is far away
-            if (least < -kWorthALook * sign * total || !touches(e, sign, vertices, corners))
-                return Meets::not_at_all;
-            for (double* each : {&e.u, &e.v, &e.w})
-                if (sign * *each < 0) *each = 0;
-            total = e.u + e.v + e.w;
-        }
-        if (total == 0) return Meets::not_at_all;  // seen edge-on: its neighbours are met instead
-        const double distance = scale_z_ * (e.u * e.a_z + e.v * e.b_z + e.w * e.c_z) / total;
-        if (!(distance >= 0 && distance <= reach)) return Meets::not_at_all;
-        out = {distance, e.u, e.v, e.w, total};
+        if (grazes && !pull_to_rim(rows, sign, e)) return Meets::not_at_all;
+        if (e.total() == 0) return Meets::not_at_all;  // seen edge-on: its neighbours are met instead
+        met = crossing(e);
+        if (!(met.distance >= 0 && met.distance <= reach)) return Meets::not_at_all;
         return grazes ? Meets::grazes : Meets::crosses;
     }
 
-    /// The edge that the ray passes outside of by most, measured against the triangle's winding as the ray sees
-    /// it: 0, 1, 2 (from corner e to corner e+1), or -1 when it passes inside all three.
-    int outside_of(std::span<const Vec3> vertices, const Corners& corners) const noexcept {
-        const Edges e = edges(vertices, corners);
-        const double sign = e.u + e.v + e.w < 0 ? -1 : 1;
-        const double side[3] = {sign * e.w, sign * e.u, sign * e.v};  // of edges 01, 12, 20
-        int least = 0;
-        if (side[1] < side[least]) least = 1;
-        if (side[2] < side[least]) least = 2;
-        return side[least] < 0 ? least : -1;
+private:
+    ORBWEAVER_INLINE WatertightRay(const SurfaceRay& ray, double power, std::size_t axis) noexcept
+        : WatertightRay(ray.origin, power * ray.direction, axis) {
+        unit_ = power;
     }
 
-private:
-    struct Edges {
-        double u, v, w;        // of the edges opposite to corners 0, 1, 2
-        double a_z, b_z, c_z;  // depth of the corners
-    };
+    /// Each corner's place taken by the one before it, or after it.
+    ORBWEAVER_INLINE static Lanes before(const Lanes& of) noexcept {
+        return __builtin_shufflevector(of, of, 2, 0, 1, 3);
+    }
+    ORBWEAVER_INLINE static Lanes after(const Lanes& of) noexcept {
+        return __builtin_shufflevector(of, of, 1, 2, 0, 3);
+    }
 
     /// Whether the ray passes within rounding of an edge that it is outside of: each corner is known to a few
-    /// units in the last place of its own numbers and of its distance from the ray's origin.
-    [[gnu::noinline]] bool touches(const Edges& e, double sign, std::span<const Vec3> vertices,
-                                   const Corners& corners) const noexcept {
-        const double function[3] = {e.u, e.v, e.w};
+    /// units in the last place of its own numbers and of its distance from the ray's origin. If so, moves it
+    /// there.
+    template <class Rows>
+    [[gnu::noinline]] bool pull_to_rim(const Rows& rows, double sign, EdgeFunctions& e) const noexcept {
         double grain[3], sheared[3];
         for (std::size_t i = 0; i < 3; ++i) {
-            const auto* p = reinterpret_cast<const double*>(&vertices[corners[i]]);
-            const double x = p[x_] - origin_[x_], y = p[y_] - origin_[y_], z = p[z_] - origin_[z_];
-            sheared[i] = std::abs(x - shear_x_ * z) + std::abs(y - shear_y_ * z);
-            grain[i] = kGrain * (std::abs(x) + std::abs(y) + std::abs(z) + std::abs(origin_[0]) +
-                                 std::abs(origin_[1]) + std::abs(origin_[2]));
+            const double x = rows.row(x_)[i] - origin_x_[0], y = rows.row(y_)[i] - origin_y_[0],
+                         z = rows.row(z_)[i] - origin_z_[0];
+            sheared[i] = std::abs(x * along_[0] - shear_x_[0] * z) + std::abs(y * along_[0] - shear_y_[0] * z);
+            grain[i] = kGrain * std::abs(along_[0]) *
+                       (std::abs(x) + std::abs(y) + std::abs(z) + std::abs(origin_x_[0]) +
+                        std::abs(origin_y_[0]) + std::abs(origin_z_[0]));
         }
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-            if (sign * function[i] < -(sheared[j] * grain[k] + sheared[k] * grain[j] + grain[j] * grain[k]))
+            if (sign * e.edges[i] < -(sheared[j] * grain[k] + sheared[k] * grain[j] + grain[j] * grain[k]))
                 return false;
         }
+        for (std::size_t i = 0; i < 3; ++i)
+            if (sign * e.edges[i] < 0) e.edges[i] = 0;
         return true;
     }
 
-    Edges edges(std::span<const Vec3> vertices, const Corners& corners) const noexcept {
-        const auto* flat = reinterpret_cast<const double*>(vertices.data());
-        const double* a = flat + 3 * std::size_t{corners[0]};
-        const double* b = flat + 3 * std::size_t{corners[1]};
-        const double* c = flat + 3 * std::size_t{corners[2]};
-        const double a_z = a[z_] - origin_[z_], b_z = b[z_] - origin_[z_], c_z = c[z_] - origin_[z_];
-        const double a_x = a[x_] - origin_[x_] - shear_x_ * a_z, a_y = a[y_] - origin_[y_] - shear_y_ * a_z;
-        const double b_x = b[x_] - origin_[x_] - shear_x_ * b_z, b_y = b[y_] - origin_[y_] - shear_y_ * b_z;
-        const double c_x = c[x_] - origin_[x_] - shear_x_ * c_z, c_y = c[y_] - origin_[y_] - shear_y_ * c_z;
-        return {c_x * b_y - c_y * b_x, a_x * c_y - a_y * c_x, b_x * a_y - b_y * a_x, a_z, b_z, c_z};
-    }
-
-    double origin_[3];
-    int x_ = 0, y_ = 0, z_ = 0;
-    double shear_x_ = 0, shear_y_ = 0, scale_z_ = 0;
+    Lanes origin_x_, origin_y_, origin_z_;
+    Lanes along_x_, along_, shear_x_, shear_y_;
+    std::size_t x_, y_, z_;
+    double unit_ = 1;  // of distance: lengths of the direction in one of what `along` is of
 };
-
-inline void fill_in(SurfaceHit& hit, const TriangleSet& set, std::uint32_t face,
-                    const Crossing& crossing) noexcept {
-    const double t = 1 / crossing.total;
-    fill_in(hit, set, {face, {crossing.u * t, crossing.v * t, crossing.w * t}}, crossing.distance);
-}
 
 /// The nearest crossing found so far; of equally near ones the face of the lowest number, whatever the order.
 /// What is only grazed counts when nothing is crossed.
 class NearestCrossing {
 public:
-    explicit NearestCrossing(double reach) noexcept
-        : crossed_{reach, kNoFace, {}}, grazed_{reach, kNoFace, {}} {}
+    explicit NearestCrossing(double reach) noexcept : crossed_{.reach = reach}, grazed_{.reach = reach} {}
 
-    void try_face(const WatertightRay& ray, std::span<const Vec3> vertices, const Corners& corners,
-                  std::uint32_t face) noexcept {
-        Crossing crossing;
-        const auto meets = ray.meets(vertices, corners, crossed_.reach, crossing);
+    template <class Rows>
+    ORBWEAVER_INLINE void try_face(const WatertightRay& ray, const Rows& rows, std::uint32_t face) noexcept {
+        EdgeFunctions e = ray.edges(rows);
+        WatertightRay::Crossing met{};
+        const auto meets = ray.meets(rows, crossed_.reach, e, met);
         if (meets == WatertightRay::Meets::not_at_all) return;
         Nearest& nearest = meets == WatertightRay::Meets::crosses ? crossed_ : grazed_;
-        if (crossing.distance > nearest.reach || (crossing.distance == nearest.reach && face > nearest.face))
-            return;
-        nearest = {crossing.distance, face, crossing};
+        if (met.distance > nearest.reach || (met.distance == nearest.reach && face > nearest.face)) return;
+        nearest = {e.edges, met.distance, met.scale, face};
     }
 
     bool crosses() const noexcept { return crossed_.face != kNoFace; }
     /// Of the nearest crossing, or the reach that was given.
     double reach() const noexcept { return crossed_.reach; }
 
-    SurfaceHit hit(const TriangleSet& set) const noexcept {
+    SurfaceHit hit() const noexcept {
         const Nearest& nearest = crosses() ? crossed_ : grazed_;
-        SurfaceHit hit;
-        if (nearest.face != kNoFace) fill_in(hit, set, nearest.face, nearest.crossing);
-        return hit;
+        if (nearest.face == kNoFace) return {};
+        return {Answer::found, {nearest.face, weights_of(nearest.edges, nearest.scale)}, nearest.reach};
     }
 
 private:
     struct Nearest {
-        double reach;
-        std::uint32_t face;
-        Crossing crossing;
+        Lanes edges{};
+        double reach, scale = 0;
+        std::uint32_t face = kNoFace;
     };
     Nearest crossed_, grazed_;
 };

@@ -10,17 +10,17 @@
 
 namespace orbweaver::surface {
 
-inline constexpr int kWide = 4;
+inline constexpr int kWide = 8;
 
-/// Four boxes side by side, in the tree's own coordinates (see WideTree). Baked as it stands.
+/// Eight boxes side by side, in the tree's own coordinates (see WideTree). Baked as it stands.
 struct alignas(64) WideNode {
     /// Lowest x, highest x, lowest y, ... of each child; rounded outwards. A child that is not there has a box
     /// that nothing meets.
     std::array<std::array<float, kWide>, 6> planes;
-    std::array<std::uint32_t, kWide> children;  ///< a node's index, or leaf(first, count)
-    std::array<std::uint32_t, 4> reserved;      ///< 0
+    std::array<std::uint32_t, kWide> children;  ///< a node's index, or leaf(first, count); or kNoChild
+    std::array<std::uint32_t, kWide> reserved;  ///< 0
 };
-static_assert(sizeof(WideNode) == 128);
+static_assert(sizeof(WideNode) == 256);
 
 /// A triangle of a leaf: its vertices and its number.
 struct WideTriangle {
@@ -32,7 +32,7 @@ static_assert(sizeof(WideTriangle) == 16);
 inline constexpr std::uint32_t kLeafBit = 0x80000000;
 inline constexpr std::uint32_t kLeafFirstBits = 28;  ///< at most 2^28 triangles
 inline constexpr std::uint32_t kLeafMost = 8;
-inline constexpr int kWideStack = 256;  ///< enough for any tree that build_wide_tree makes
+inline constexpr int kWideStack = 560;  ///< enough for any tree that build_wide_tree makes
 
 constexpr std::uint32_t leaf(std::uint32_t first, std::uint32_t count) noexcept {
     return kLeafBit | ((count - 1) << kLeafFirstBits) | first;
@@ -43,6 +43,9 @@ constexpr std::uint32_t leaf_first(std::uint32_t child) noexcept {
 constexpr std::uint32_t leaf_count(std::uint32_t child) noexcept {
     return ((child & ~kLeafBit) >> kLeafFirstBits) + 1;
 }
+
+/// In place of a child that is not there: a leaf, for a ray whose numbers overflow may meet any box.
+inline constexpr std::uint32_t kNoChild = leaf(0, 1);
 
 /// The frame of the tree's coordinates: world = middle + size * tree, so that all boxes lie within [-1, 1].
 struct WideFrame {
@@ -71,7 +74,7 @@ struct WideTreeData {
     }
 };
 
-/// Splits by the surface area heuristic over 16 bins (Wald 2007), two splits to a node. Vertices are finite.
+/// Splits by the surface area heuristic over 16 bins (Wald 2007), seven splits to a node. Vertices are finite.
 /// Throws Fault(limit) above 2^28 triangles.
 WideTreeData build_wide_tree(const TriangleSet& set);
 

@@ -57,7 +57,8 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kLeaf = 4;  // at most so many triangles need no split
+    static constexpr std::uint32_t kLeaf = 4;       // at most so many triangles need no split
+    static constexpr std::uint32_t kSmallLeaf = 1;  // at most so many are not split for room in a node
     static constexpr std::size_t kBins = 16;
     static constexpr int kHeuristicDepth = 48;  // deeper, halves: no tree outgrows the stack of its traversal
 
@@ -81,14 +82,20 @@ private:
         return range;
     }
 
-    /// Splits the range of the largest surface until there are four, or none is left to split.
+    static std::vector<Range>::iterator largest_above(std::uint32_t count, std::vector<Range>& parts) {
+        auto largest = parts.end();
+        for (auto part = parts.begin(); part != parts.end(); ++part)
+            if (part->count > count && (largest == parts.end() || part->box.area() > largest->box.area()))
+                largest = part;
+        return largest;
+    }
+
+    /// Splits the range of the largest surface until there are eight, or none is left to split.
     std::uint32_t make_node(const Range& whole) {
         std::vector<Range> parts{whole};
         while (parts.size() < kWide) {
-            auto largest = parts.end();
-            for (auto part = parts.begin(); part != parts.end(); ++part)
-                if (part->count > kLeaf && (largest == parts.end() || part->box.area() > largest->box.area()))
-                    largest = part;
+            auto largest = largest_above(kLeaf, parts);
+            if (largest == parts.end()) largest = largest_above(kSmallLeaf, parts);
             if (largest == parts.end()) break;
             const std::uint32_t middle = split(*largest);
             const Range range = *largest;
@@ -98,6 +105,7 @@ private:
         const auto index = static_cast<std::uint32_t>(data_.nodes.size());
         data_.nodes.emplace_back();
         for (auto& plane : data_.nodes.back().planes) plane.fill(0);
+        data_.nodes.back().children.fill(kNoChild);
         for (std::size_t i = 0; i < kWide; ++i) {
             const Box box = i < parts.size() ? parts[i].box : Box{};
             for (std::size_t axis = 0; axis < 3; ++axis) {

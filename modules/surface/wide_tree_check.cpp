@@ -27,8 +27,12 @@ std::string nodes_fault(const WideTree& tree) {
     constexpr int kDeepest = (kWideStack - kWide) / (kWide - 1);
     for (std::size_t n = 0; n < tree.nodes.size(); ++n)
         for (std::size_t i = 0; i < kWide; ++i) {
-            if (!has_box(tree.nodes[n], i)) continue;
             const std::uint32_t child = tree.nodes[n].children[i];
+            if (!has_box(tree.nodes[n], i)) {
+                if (child != kNoChild)
+                    return "node " + std::to_string(n) + " of the tree has a child without a box";
+                continue;
+            }
             if ((child & kLeafBit) != 0) {
                 if (std::string fault = mark_leaf(child, marks); !fault.empty()) return fault;
             } else if (child <= n || child >= tree.nodes.size()) {

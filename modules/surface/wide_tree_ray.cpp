@@ -3,133 +3,157 @@
 #include <cmath>
 #include <limits>
 
-#include "four.hpp"
-#include "watertight.hpp"
+#include "box_ray.hpp"
+#include "floats.hpp"
 #include "wide_tree.hpp"
 
 namespace orbweaver::surface {
 
 namespace {
 
-/// A ray in the tree's coordinates, begun where it enters the cube [-1, 1]: single precision then rounds by no
-/// more than 2^-21 of the tree's half size in all (positions up to 1, one subtraction, two products), whatever
-/// the distance that the ray comes from. Planes are moved outwards by twice that, and by the rounding of the
-/// triangle test, which grows with that distance.
-struct BoxRay {
-    bool meets = false;
-    std::array<std::size_t, 3> near_plane{}, far_plane{};
-    std::array<float, 3> inverse{}, near{}, far{};
-    double start = 0;  ///< where it enters, in lengths of its direction
-    double unit = 1;   ///< the tree's unit of distance in lengths of its direction
-
-    BoxRay(const WideFrame& frame, const SurfaceRay& ray) noexcept {
-        const Vec3 from = (ray.origin - frame.middle) / frame.size;
-        const double o[3] = {from.x, from.y, from.z};
-        const double d[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
-        const double longest = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
-        const double away = std::max({std::abs(o[0]), std::abs(o[1]), std::abs(o[2])}) + 1;
-        const double world = std::max({std::abs(ray.origin.x), std::abs(ray.origin.y), std::abs(ray.origin.z)});
-        const double slack = 0x1p-20 + 12 * kGrain * (away + world / frame.size);
-        unit = frame.size / longest;
-        double direction[3], enter = 0, leave = ray.reach / unit;
-        for (std::size_t i = 0; i < 3; ++i) {
-            constexpr double kFlattest = 0x1p-96;  // of the direction: its inverse is still a single
-            direction[i] = d[i] / longest;
-            const double slope = std::copysign(std::max(std::abs(direction[i]), kFlattest), direction[i]);
-            const double wall = std::copysign(1 + 2 * slack, slope);
-            enter = std::max(enter, (-wall - o[i]) / slope);
-            leave = std::min(leave, (wall - o[i]) / slope);
-            inverse[i] = static_cast<float>(1 / slope);
-        }
-        meets = enter <= leave;
-        start = enter * unit;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double at = o[i] + enter * direction[i];
-            const double outwards = std::copysign(slack, inverse[i]);
-            near_plane[i] = 2 * i + (inverse[i] < 0 ? 1 : 0);
-            far_plane[i] = 2 * i + (inverse[i] < 0 ? 0 : 1);
-            near[i] = static_cast<float>(at + outwards);
-            far[i] = static_cast<float>(at - outwards);
-        }
-    }
-
-    /// A distance along the ray in the tree's units, rounded up.
-    float in_tree(double distance) const noexcept {
-        constexpr float kUp = 1.000001F;
-        return static_cast<float>((distance - start) / unit) * kUp + 0x1p-20F;
-    }
-};
-
-struct Pending {
-    std::uint32_t child;
-    float enter;
-};
-
-class Traversal {
+/// A child and where the ray enters it, at 0 or beyond: such numbers are in the order of their bits, so that
+/// one comparison without a branch orders two.
+class Pending {
 public:
-    Traversal(const WideTree& tree, const TriangleSet& set, const BoxRay& box, const SurfaceRay& ray) noexcept
-        : tree_(tree), set_(set), box_(box), ray_(ray), nearest_(ray.reach), reach_(box.in_tree(ray.reach)) {}
+    Pending() = default;
+    ORBWEAVER_INLINE Pending(std::uint32_t child, float enter) noexcept
+        : bits_(std::uint64_t{std::bit_cast<std::uint32_t>(enter)} << 32 | child) {}
 
-    SurfaceHit run() noexcept {
-        open(tree_.nodes[0]);
-        while (count_ > 0) {
-            const Pending next = stack_[--count_];
-            if (next.enter > reach_) continue;
-            if ((next.child & kLeafBit) != 0)
-                try_leaf(next.child);
-            else
-                open(tree_.nodes[next.child]);
-        }
-        return nearest_.hit(set_);
+    ORBWEAVER_INLINE std::uint32_t child() const noexcept { return static_cast<std::uint32_t>(bits_); }
+    ORBWEAVER_INLINE float enter() const noexcept {
+        return std::bit_cast<float>(static_cast<std::uint32_t>(bits_ >> 32));
+    }
+    friend ORBWEAVER_INLINE bool operator<(const Pending& a, const Pending& b) noexcept {
+        return a.bits_ < b.bits_;
     }
 
 private:
-    void try_leaf(std::uint32_t child) noexcept {
-        const WideTriangle* each = tree_.triangles.data() + leaf_first(child);
-        for (const WideTriangle* end = each + leaf_count(child); each != end; ++each)
-            nearest_.try_face(ray_, set_.vertices, each->corners, each->face);
+    std::uint64_t bits_;
+};
+
+/// `Wide` is FourWide or EightWide: what else is met in fewer or more boxes at once changes nothing of the
+/// answer.
+template <class Wide>
+class Traversal {
+    using Floats = typename Wide::Floats;
+
+public:
+    ORBWEAVER_INLINE Traversal(const WideTree& tree, const TriangleSet& set, const BoxRay& box,
+                               const WatertightRay& ray, double reach) noexcept
+        : nearest_(reach), tree_(tree), set_(set), box_(box), ray_(ray), reach_(box.in_tree(reach)) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            inverse_[i] = Floats{} + box.inverse[i];
+            near_[i] = Floats{} + box.near[i];
+            far_[i] = Floats{} + box.far[i];
+        }
+    }
+
+    ORBWEAVER_INLINE SurfaceHit run() noexcept {
+        std::uint32_t child = 0;
+        do {
+            while ((child & kLeafBit) == 0)
+                if (!descend(child)) return nearest_.hit();
+            try_leaf(child);
+        } while (pop(child));
+        return nearest_.hit();
+    }
+
+private:
+    ORBWEAVER_INLINE void try_leaf(std::uint32_t child) noexcept {
+        for (const WideTriangle& each : tree_.triangles.subspan(leaf_first(child), leaf_count(child)))
+            nearest_.try_face(ray_, FarCorners(set_.vertices.data(), each.corners), each.face);
         if (nearest_.crosses()) reach_ = box_.in_tree(nearest_.reach());
     }
 
-    /// Pushes the children that the ray meets, the nearest last.
-    void open(const WideNode& node) noexcept {
-        Four enter = Four::all(0), leave = Four::all(reach_);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Four inverse = Four::all(box_.inverse[i]);
-            enter = larger(enter,
-                           (Four::load(node.planes[box_.near_plane[i]]) - Four::all(box_.near[i])) * inverse);
-            leave =
-                smaller(leave, (Four::load(node.planes[box_.far_plane[i]]) - Four::all(box_.far[i])) * inverse);
+    ORBWEAVER_INLINE bool pop(std::uint32_t& child) noexcept {
+        while (count_ > 0) {
+            const Pending& next = stack_[--count_];
+            child = next.child();
+            if (next.enter() <= reach_) return true;
         }
-        alignas(16) std::array<float, kWide> enters;
-        enter.store(enters);
-        const int bottom = count_;
-        for (unsigned met = at_most(enter, leave); met != 0; met &= met - 1) {
-            const auto i = static_cast<std::size_t>(std::countr_zero(met));
-            int at = count_++;
-            for (; at > bottom && stack_[at - 1].enter < enters[i]; --at) stack_[at] = stack_[at - 1];
-            stack_[at] = {node.children[i], enters[i]};
-        }
+        return false;
     }
 
+    /// From a node to the nearest of its children that the ray meets, the others put by, the farthest first; or
+    /// to what was put by before. False when there is nothing more.
+    ORBWEAVER_INLINE bool descend(std::uint32_t& child) noexcept {
+        const WideNode& node = tree_.nodes[child];
+        std::array<float, kWide> enters;
+        unsigned met = meet(node, enters);
+        if (met == 0) return pop(child);
+        const auto first = static_cast<std::size_t>(std::countr_zero(met));
+        met &= met - 1;
+        if (met == 0) {
+            child = node.children[first];
+            return true;
+        }
+        Pending nearest(node.children[first], enters[first]);
+        const int bottom = count_;
+        for (; met != 0; met &= met - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(met));
+            const Pending other(node.children[i], enters[i]);
+            const Pending farther = std::max(nearest, other);
+            nearest = std::min(nearest, other);
+            int at = count_++;
+            for (; at > bottom && stack_[at - 1] < farther; --at) stack_[at] = stack_[at - 1];
+            stack_[at] = farther;
+        }
+        child = nearest.child();
+        return true;
+    }
+
+    /// Which children the ray meets, and where it enters them.
+    ORBWEAVER_INLINE unsigned meet(const WideNode& node, std::array<float, kWide>& enters) const noexcept {
+        constexpr std::size_t kLanes = sizeof(Floats) / sizeof(float);
+        unsigned met = 0;
+        for (std::size_t lane = 0; lane < kWide; lane += kLanes) {
+            Floats first[3], last[3];
+            for (std::size_t i = 0; i < 3; ++i) {
+                Wide::scale(floats_at<Floats>(&node.planes[box_.near_plane[i]][lane]), inverse_[i], near_[i],
+                            first[i]);
+                Wide::scale(floats_at<Floats>(&node.planes[box_.far_plane[i]][lane]), inverse_[i], far_[i],
+                            last[i]);
+            }
+            const Floats enter = larger(larger(first[0], first[1]), larger(first[2], Floats{}));
+            const Floats leave = smaller(smaller(last[0], last[1]), smaller(last[2], Floats{} + reach_));
+            std::memcpy(&enters[lane], &enter, sizeof enter);
+            met |= Wide::bits(enter <= leave) << lane;
+        }
+        return met;
+    }
+
+    NearestCrossing nearest_;
+    Floats inverse_[3], near_[3], far_[3];
     const WideTree& tree_;
     const TriangleSet& set_;
     const BoxRay& box_;
-    WatertightRay ray_;
-    NearestCrossing nearest_;
+    const WatertightRay& ray_;
     float reach_;
     int count_ = 0;
     Pending stack_[kWideStack];
 };
 
-}  // namespace
-
-SurfaceHit first_hit(const WideTree& tree, const TriangleSet& set, const SurfaceRay& ray) noexcept {
+template <class Wide>
+ORBWEAVER_INLINE SurfaceHit cast(const WideTree& tree, const TriangleSet& set, const SurfaceRay& ray) noexcept {
     if (!is_sound(ray)) return kRefusedHit;
     if (tree.nodes.empty()) return {};
     const BoxRay box(tree.frame, ray);
     if (!box.meets) return {};
-    return Traversal(tree, set, box, ray).run();
+    const WatertightRay tight(ray);
+    return Traversal<Wide>(tree, set, box, tight, ray.reach).run();
+}
+
+ORBWEAVER_AVX2_FMA SurfaceHit cast_avx2(const WideTree& tree, const TriangleSet& set,
+                                        const SurfaceRay& ray) noexcept {
+    return cast<EightWide>(tree, set, ray);
+}
+
+const bool kWideVectors = has_avx2_and_fma();
+
+}  // namespace
+
+SurfaceHit first_hit(const WideTree& tree, const TriangleSet& set, const SurfaceRay& ray) noexcept {
+    return kWideVectors ? cast_avx2(tree, set, ray) : cast<FourWide>(tree, set, ray);
 }
 
 }  // namespace orbweaver::surface

@@ -54,6 +54,11 @@ std::array<float, 16> view_projection(const Camera& camera, double aspect, doubl
     return m;
 }
 
+ClipDepths clip_depths(const Camera& camera) {
+    const double away = distance(camera.position, camera.target);
+    return {1e-3 * away, 1e3 * away};
+}
+
 Camera orbit(const Camera& camera, double x, double y) {
     const Vec3 arm = camera.position - camera.target;
     const double length = norm(arm);

@@ -37,6 +37,13 @@ Landing project(const Camera& camera, const Vec3& point, int width, int height);
 /// Scene to GL clip space, column by column; its w is the depth in metres.
 std::array<float, 16> view_projection(const Camera& camera, double aspect, double near, double far);
 
+/// m, between which things are drawn: parts of the distance to the target.
+struct ClipDepths {
+    double near = 0;
+    double far = 0;
+};
+ClipDepths clip_depths(const Camera& camera);
+
 /// Turns about the target: `x` and `y` are fractions of the picture dragged, right and up positive; one
 /// picture's width is half a turn. Stops short of the poles.
 Camera orbit(const Camera& camera, double x, double y);

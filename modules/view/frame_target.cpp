@@ -7,10 +7,11 @@
 
 namespace orbweaver::view {
 
-FrameTarget::FrameTarget(const Gl& gl, int width, int height)
+FrameTarget::FrameTarget(const Gl& gl, int width, int height, Depth depth)
     : gl_(&gl),
       width_(width),
       height_(height),
+      depth_(depth),
       texture_(gl, ObjectKind::texture),
       framebuffer_(gl, ObjectKind::framebuffer) {
     GLint largest = 0;
@@ -25,9 +26,18 @@ FrameTarget::FrameTarget(const Gl& gl, int width, int height)
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
+    if (depth == Depth::kept) keep_depths();
     if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Fault(FaultKind::internal,
                     "The graphics driver refuses an sRGB framebuffer of " + size + " pixels; try --headless.");
+}
+
+void FrameTarget::keep_depths() {
+    depths_ = Object(*gl_, ObjectKind::texture);
+    gl_->BindTexture(GL_TEXTURE_2D, depths_.name());
+    gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width_, height_, 0, GL_DEPTH_COMPONENT,
+                    GL_UNSIGNED_INT, nullptr);
+    gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depths_.name(), 0);
 }
 
 void FrameTarget::bind() const {
@@ -45,6 +55,15 @@ void FrameTarget::copy_to(GLuint framebuffer, int width, int height) const {
                          same ? GL_NEAREST : GL_LINEAR);
 }
 
+void FrameTarget::copy_depths_to(const FrameTarget& target) const {
+    gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
+    gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer_.name());
+    gl_->BlitFramebuffer(0, 0, width_, height_, 0, 0, target.width_, target.height_, GL_DEPTH_BUFFER_BIT,
+                         GL_NEAREST);
+}
+
+void FrameTarget::clear_depths() const { gl_->Clear(GL_DEPTH_BUFFER_BIT); }
+
 void FrameTarget::read(std::vector<std::uint8_t>& rgb) {
     const auto w = static_cast<std::size_t>(width_);
     const auto h = static_cast<std::size_t>(height_);
@@ -61,7 +80,8 @@ void FrameTarget::read(std::vector<std::uint8_t>& rgb) {
 }
 
 std::size_t FrameTarget::memory_bytes() const noexcept {
-    return 4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) + rgba_.capacity();
+    const std::size_t pixel = depth_ == Depth::kept ? 8 : 4;
+    return pixel * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) + rgba_.capacity();
 }
 
 }  // namespace orbweaver::view

@@ -20,6 +20,7 @@ namespace orbweaver::view {
     X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                 \
     X(PFNGLBUFFERDATAPROC, BufferData)                           \
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)   \
+    X(PFNGLCLEARPROC, Clear)                                     \
     X(PFNGLCOMPILESHADERPROC, CompileShader)                     \
     X(PFNGLCREATEPROGRAMPROC, CreateProgram)                     \
     X(PFNGLCREATESHADERPROC, CreateShader)                       \
@@ -29,6 +30,7 @@ namespace orbweaver::view {
     X(PFNGLDELETESHADERPROC, DeleteShader)                       \
     X(PFNGLDELETETEXTURESPROC, DeleteTextures)                   \
     X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)           \
+    X(PFNGLDEPTHMASKPROC, DepthMask)                             \
     X(PFNGLDISABLEPROC, Disable)                                 \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                           \
     X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)         \

@@ -6,9 +6,6 @@
 namespace orbweaver::view {
 namespace {
 
-constexpr double kNearPerDistance = 1e-3;  // clipping planes as parts of the distance to the target
-constexpr double kFarPerDistance = 1e3;
-
 constexpr const char* kVertex = R"(#version 330 core
 uniform samplerBuffer points;
 uniform mat4 view_projection;
@@ -112,10 +109,8 @@ void ThreadPass::draw(const Camera& camera, int width, int height) {
     upload_points();
 
     const Camera local{camera.position - origin_, camera.target - origin_, camera.fov_degrees};
-    const double distance_to_target = distance(camera.position, camera.target);
-    const double near = kNearPerDistance * distance_to_target;
-    const auto matrix =
-        view_projection(local, static_cast<double>(width) / height, near, kFarPerDistance * distance_to_target);
+    const auto [near, far] = clip_depths(camera);
+    const auto matrix = view_projection(local, static_cast<double>(width) / height, near, far);
     const double focal = height / (2 * half_height(camera));
     const auto light = [](double shade) { return picture::linear_from_srgb(static_cast<float>(shade)); };
 
@@ -129,8 +124,12 @@ void ThreadPass::draw(const Camera& camera, int width, int height) {
                   light(look_.color.z), static_cast<float>(look_.alpha));
     gl_.Enable(GL_BLEND);
     gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.DepthMask(GL_FALSE);
     gl_.BindVertexArray(vertices_.name());
     gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(threads_.segments().size()));
+    gl_.DepthMask(GL_TRUE);
+    gl_.Disable(GL_DEPTH_TEST);
 }
 
 }  // namespace orbweaver::view

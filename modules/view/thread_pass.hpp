@@ -23,6 +23,7 @@ class ThreadPass {
 public:
     ThreadPass(const Gl& gl, const Threads& threads, const ThreadLook& look);
     /// Blends over the bound framebuffer, width x height pixels, which must hold sRGB with conversion enabled.
+    /// What lies behind its depths, if it holds some, is hidden; they stay as they are.
     void draw(const Camera& camera, int width, int height);
     std::size_t memory_bytes() const noexcept;
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "orbweaver/entry.hpp"
 #include "sky_pass.hpp"
 #include "sky_source.hpp"
+#include "surface_pass.hpp"
 #include "thread_pass.hpp"
 
 namespace orbweaver::view {
@@ -25,6 +27,10 @@ Size asked_size(const Host& host) {
     const Request& request = host.request();
     return {request.width > 0 ? request.width : static_cast<int>(size[0]),
             request.height > 0 ? request.height : static_cast<int>(size[1])};
+}
+
+SurfaceLook asked_surface_look(const Options& options) {
+    return {options.vector("surface.color"), options.number("surface.edges")};
 }
 
 ThreadLook asked_look(const Options& options) {
@@ -49,15 +55,17 @@ private:
     Camera home_camera(Host& host) const;
     void obey_input();
     void follow_window();
-    void draw_sky();
+    void draw_backdrop();
+    int fineness(Size size) const;
 
     Canvas* canvas_ = nullptr;
     Input* input_ = nullptr;
     bool fixed_size_ = true;  // a film's pictures keep their size whatever becomes of the window
     Gl gl_;
     std::optional<SkyPass> sky_;
+    std::optional<SurfacePass> surface_;
     std::vector<std::unique_ptr<ThreadPass>> threads_;
-    std::optional<FrameTarget> backdrop_;  // the sky alone: it changes only with the camera
+    std::optional<FrameTarget> backdrop_;  // sky and surface: they change only with the camera
     std::optional<FrameTarget> picture_;
     bool backdrop_stale_ = true;
     Camera home_;
@@ -73,8 +81,8 @@ void View::attach(Host& host) {
     fixed_size_ = !request.window || !request.frames_directory.empty() || !request.video_file.empty();
     open_canvas(host);
     gl_ = load_gl(*canvas_);
-    make_targets(asked_size(host));
     make_passes(host);
+    make_targets(asked_size(host));
     home_ = camera_ = home_camera(host);
     host.provide<PictureSource>(*this);
 }
@@ -87,14 +95,25 @@ void View::open_canvas(const Host& host) {
 }
 
 void View::make_passes(Host& host) {
-    sky_.emplace(gl_, load_sky(host));
+    const CubeSky sky = load_sky(host);
+    sky_.emplace(gl_, sky);
+    if (const Surface* surface = host.find<Surface>())
+        surface_.emplace(gl_, *surface, asked_surface_look(host.options()), sky);
     for (const Threads* threads : host.collect<Threads>())
         threads_.push_back(std::make_unique<ThreadPass>(gl_, *threads, asked_look(host.options())));
 }
 
+/// Pixels of the backdrop a pixel of the picture, along a side: the steps of a surface's rim are smoothed.
+int View::fineness(Size size) const {
+    GLint largest = 0;
+    gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    return surface_ && 2 * std::max(size.width, size.height) <= largest ? 2 : 1;
+}
+
 void View::make_targets(Size size) {
-    backdrop_.emplace(gl_, size.width, size.height);
-    picture_.emplace(gl_, size.width, size.height);
+    const auto depth = surface_ ? FrameTarget::Depth::kept : FrameTarget::Depth::none;
+    picture_.emplace(gl_, size.width, size.height, depth);
+    backdrop_.emplace(gl_, fineness(size) * size.width, fineness(size) * size.height, depth);
     backdrop_stale_ = true;
 }
 
@@ -103,6 +122,8 @@ Camera View::home_camera(Host& host) const {
     std::vector<Vec3> points;
     for (const Threads* threads : host.collect<Threads>())
         points.insert(points.end(), threads->points().begin(), threads->points().end());
+    if (const Surface* surface = host.find<Surface>())
+        points.insert(points.end(), surface->vertices().begin(), surface->vertices().end());
     const Vec3 target = options.has("camera.target") ? options.vector("camera.target") : middle(points);
     const double aspect = static_cast<double>(width()) / height();
     Camera camera = frame_points(points, target, options.number("camera.fov"), aspect);
@@ -129,19 +150,24 @@ void View::follow_window() {
     if (!fixed_size_ && !same && size.width > 0 && size.height > 0) make_targets(size);
 }
 
-void View::draw_sky() {
+void View::draw_backdrop() {
     if (backdrop_stale_) {
         backdrop_->bind();
         sky_->draw(camera_, static_cast<double>(width()) / height());
+        if (surface_) {
+            backdrop_->clear_depths();
+            surface_->draw(camera_, backdrop_->width(), backdrop_->height());
+        }
         backdrop_stale_ = false;
     }
     backdrop_->copy_to(picture_->framebuffer(), width(), height());
+    if (surface_) backdrop_->copy_depths_to(*picture_);
 }
 
 void View::run(Phase, const Frame&) {
     obey_input();
     follow_window();
-    draw_sky();
+    draw_backdrop();
     picture_->bind();
     for (const auto& each : threads_) each->draw(camera_, width(), height());
     picture_->copy_to(0, canvas_->width(), canvas_->height());
@@ -159,6 +185,7 @@ std::span<const std::uint8_t> View::rgb() noexcept {
 void View::report(ModuleReport& report) {
     std::size_t bytes =
         sky_->memory_bytes() + backdrop_->memory_bytes() + picture_->memory_bytes() + rgb_.capacity();
+    if (surface_) bytes += surface_->memory_bytes();
     for (const auto& each : threads_) bytes += each->memory_bytes();
     report.memory_bytes = bytes;
     report.measure("pictures", pictures_);

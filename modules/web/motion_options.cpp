@@ -71,4 +71,14 @@ Motion read_motion(const Options& options, Diagnostics& faults) {
     return motion;
 }
 
+void check_damping(const Options& options, const Motion& motion, const mass_spring::Network& network,
+                   Diagnostics& faults) {
+    const mass_spring::MethodInfo* method = motion.settings.method;
+    if (method == nullptr || !method->undamped || !mass_spring::is_damped(network)) return;
+    faults.push_back({options.where("method"),
+                      "springs are damped, which method " + std::string(method->name) + " does not take",
+                      "springs without damping, or another method, as tsit5",
+                      "set their damping to 0 and let drag damp, or choose another method"});
+}
+
 }  // namespace orbweaver::web

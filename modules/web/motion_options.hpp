@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mass_spring/linear_solver.hpp"
+#include "mass_spring/network.hpp"
 #include "mass_spring/simulation_settings.hpp"
 #include "orbweaver/diagnostic.hpp"
 #include "orbweaver/options.hpp"
@@ -18,5 +19,9 @@ struct Motion {
 /// A tolerance that the method cannot keep, and an automatic choice without a goal, are reported where the
 /// scene says them.
 Motion read_motion(const Options& options, Diagnostics& faults);
+
+/// So are damped springs that the method does not take, whether an option damps them or a file of a network.
+void check_damping(const Options& options, const Motion& motion, const mass_spring::Network& network,
+                   Diagnostics& faults);
 
 }  // namespace orbweaver::web

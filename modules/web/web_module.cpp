@@ -23,6 +23,7 @@ public:
         Diagnostics faults;
         auto web = build_web(host.options(), host.scene().gravity, host.random("irregularity"), faults);
         Motion motion = read_motion(host.options(), faults);
+        if (web) check_damping(host.options(), motion, web->network, faults);
         const bool sound = faults.empty();
         for (Diagnostic& fault : faults) host.report_fault(std::move(fault));
         if (!sound || !web) return;
@@ -54,10 +55,10 @@ public:
     /// A run goes on with the method that it chose when it began, whatever it would choose now.
     void restored() override {
         if (chosen_method_.empty()) return;
-        const auto methods = mass_spring::methods();
-        if (chosen_method_[0] >= methods.size() || !(chosen_step_[0] > 0))
+        const mass_spring::MethodInfo* known = mass_spring::find_method(chosen_method_[0]);
+        if (known == nullptr || !(chosen_step_[0] > 0))
             throw Fault(FaultKind::invalid, "the state was saved with a method that is not known here");
-        const mass_spring::MethodInfo& method = methods[chosen_method_[0]];
+        const mass_spring::MethodInfo& method = *known;
         if (settings_.method == &method && settings_.step == chosen_step_[0]) return;
         settings_.method = &method;
         settings_.step = chosen_step_[0];
@@ -120,7 +121,8 @@ private:
     }
 
     void make_choice_state(Host& host) {
-        chosen_method_ = host.state().words("chosen_method", 1, {"1", "number of the method chosen", false});
+        chosen_method_ =
+            host.state().words("chosen_method", 1, {"1", "hash of the name of the method chosen", false});
         chosen_step_ = host.state().scalars("chosen_step", 1, {"s", "step chosen with it", false});
     }
 
@@ -135,22 +137,21 @@ private:
         host.telemetry("max_strain", [this] { return measure_threads(web_.network, position_).max_strain; });
     }
 
-    /// By trials in the winds of a few moments spread over the run.
+    /// By trials in the winds that the run will meet.
     void choose(Host& host, Motion& motion) {
-        constexpr int kMoments = 3;
         const SceneInfo& scene = host.scene();
-        std::vector<std::vector<Vec3>> loads;
-        for (int i = 0; wind_ != nullptr && i < kMoments; ++i) {
-            const double time = scene.duration * (i + 0.5) / kMoments;
-            blow({0, time, scene.step});
-            loads.push_back(external_);
-        }
-        const mass_spring::ChoiceGoal goal{scene.step, std::max(1.0, scene.duration / scene.step),
-                                           motion.tolerance, motion.budget};
-        const auto choice = choose_method(*system_, surroundings_, position_, loads, goal);
+        mass_spring::RunAhead run{
+            surroundings_, position_, {}, scene.step, std::max(1.0, scene.duration / scene.step)};
+        if (wind_ != nullptr)
+            run.load = [&](double time) {
+                blow({0, time, scene.step});
+                return std::span<const Vec3>(external_);
+            };
+        const auto choice =
+            choose_method(*system_, run, {motion.tolerance, motion.budget, motion.settings.max_substeps});
         motion.settings.method = choice.chosen.method;
         motion.settings.step = choice.chosen.step;
-        chosen_method_[0] = static_cast<std::uint64_t>(choice.chosen.method - mass_spring::methods().data());
+        chosen_method_[0] = mass_spring::method_key(*choice.chosen.method);
         chosen_step_[0] = choice.chosen.step;
         choice_ = choice.sentence;
         host.log(choice.meets_goal ? LogLevel::info : LogLevel::warning, choice_);
@@ -227,7 +228,7 @@ private:
     std::span<Vec3> velocity_;                // state, m/s
     std::span<double> substep_;               // state, s
     std::span<double> creep_;                 // state, m; empty where no thread has a hysteresis
-    std::span<std::uint64_t> chosen_method_;  // state, its place in mass_spring::methods(); empty: it was said
+    std::span<std::uint64_t> chosen_method_;  // state, see mass_spring::method_key(); empty: it was said
     std::span<double> chosen_step_;           // state, s; empty as well
     std::unique_ptr<mass_spring::SpringSystem> system_;
     std::unique_ptr<mass_spring::Simulation> simulation_;

@@ -7,9 +7,8 @@ namespace orbweaver {
 namespace {
 
 constexpr const char* kMeaning =
-    "study how wrong a scene's methods of integration are against what they cost (accuracy), or where they "
-    "hold "
-    "(stability)";
+    "study how wrong a scene's methods of integration are against what they cost (accuracy), where they hold "
+    "(stability), or the same of ways to ask its surface (queries)";
 
 constexpr const char* kHelp = R"(
 accuracy   runs every method over a ladder of steps or tolerances, against a reference that a second method
@@ -18,8 +17,12 @@ accuracy   runs every method over a ladder of steps or tolerances, against a ref
            accuracy.json, accuracy.svg and index.html in DIR, and prints the cheapest way to each error. Usually
            1 s is simulated.
 stability  runs every method in each cell of a map over two options of the scene, and calls it stable, degraded,
-           diverged or refused. Leaves stability.csv (method,<axis>,<axis>,class), stability.json, stability.svg and
-           index.html in DIR, the adviser's prediction drawn over each map. Usually 0.5 s is simulated.
+           diverged or refused. Leaves stability.csv (method,<axis>,<axis>,class,reason), stability.json,
+           stability.svg and index.html in DIR, the adviser's prediction drawn over each map. Usually 0.5 s is simulated.
+queries    asks the scene's surface the same seeded questions by every way there is: rays at random, at vertices and
+           at edges, the polygon under bodies that walk, and under bodies just beyond an edge; against every triangle
+           in extended precision. Leaves queries.csv (questions,way,asked,missed,invented,error_m,median_error_m,
+           cost_s), queries.json, queries.svg and index.html in DIR. --method names a way.
 
 An axis is any option of the scene, PATH=LOW..HIGH:COUNT, such as web.step=10us..20ms:16 or web.drag=0..1e-6:11:lin,
 or a list, PATH=A,B,..., such as web.prestress=force_density,over_extension; without --axis the step and the module's
@@ -37,21 +40,23 @@ bool is_span(const std::string& text) {
 
 StudyCommand::StudyCommand(CLI::App& app) : command_(app.add_subcommand("study", kMeaning)) {
     command_->footer(kHelp);
-    command_->add_option("KIND", kind_, "accuracy or stability")
+    command_->add_option("KIND", kind_, "accuracy, stability or queries")
         ->required()
-        ->check(CLI::IsMember({"accuracy", "stability"}));
+        ->check(CLI::IsMember({"accuracy", "stability", "queries"}));
     scene_.add_to(*command_, settings_.run);
     command_->add_option("--out", settings_.out, "folder for the results; it is made")
         ->required()
         ->check(checked([](const std::string& text) { return !text.empty(); }, "a folder; name one"));
     command_->add_option("--method", settings_.methods, "study this method; repeatable; all when absent")
         ->allow_extra_args(false);
-    command_
-        ->add_option("--references", settings_.references,
-                     "two methods, FIRST,SECOND: of the reference, and of what confirms it; implicit ones for "
-                     "scenes too stiff for explicit steps")
-        ->delimiter(',')
-        ->expected(2);
+    references_ =
+        command_
+            ->add_option(
+                "--references", settings_.references,
+                "two methods, FIRST,SECOND: of the reference, and of what confirms it; implicit ones for "
+                "scenes too stiff for explicit steps")
+            ->delimiter(',')
+            ->expected(2);
     command_
         ->add_option("--axis", axes_,
                      "stability: an axis, PATH=LOW..HIGH:COUNT[:lin|:log] or PATH=A,B,...; at most two")
@@ -60,10 +65,11 @@ StudyCommand::StudyCommand(CLI::App& app) : command_(app.add_subcommand("study",
                         "an axis; expected PATH=LOW..HIGH:COUNT[:lin|:log] with LOW below HIGH, known units "
                         "and a COUNT of 2 to 200, such as web.step=1e-5..0.01:16, or PATH=A,B,... with 2 to "
                         "200 values"));
-    repeats_ =
-        command_->add_option("--repeats", settings_.repeats, "accuracy: timed runs, the median of which counts")
-            ->check(CLI::Range(1, 99))
-            ->capture_default_str();
+    repeats_ = command_
+                   ->add_option("--repeats", settings_.repeats,
+                                "accuracy, queries: timed runs, the median of which counts")
+                   ->check(CLI::Range(1, 99))
+                   ->capture_default_str();
     command_->add_option("--time", time_, "most wall clock time for all of it; refinement stops there (5 min)")
         ->check(checked(is_span, "a time above 0; expected seconds or a text such as \"5 min\""));
     command_->add_option("--table", settings_.table,
@@ -77,7 +83,9 @@ void StudyCommand::complete() {
     if (!parsed()) return;
     const bool stability = kind_ == "stability";
     if (!stability && !axes_.empty()) throw CLI::ValidationError("--axis", "only stability has axes");
-    if (stability && repeats_->count() > 0) throw CLI::ValidationError("--repeats", "only accuracy is timed");
+    if (stability && repeats_->count() > 0) throw CLI::ValidationError("--repeats", "a map is not timed");
+    if (kind_ == "queries" && references_->count() > 0)
+        throw CLI::ValidationError("--references", "queries are held against every triangle");
     if (axes_.size() > 2) throw CLI::ValidationError("--axis", "a map has two; leave one out");
     if (axes_.size() == 2 && study::parse_axis(axes_[0])->path == study::parse_axis(axes_[1])->path)
         throw CLI::ValidationError(
@@ -90,6 +98,10 @@ void StudyCommand::complete() {
 int StudyCommand::run() const {
     if (kind_ == "accuracy") {
         study::run_accuracy(settings_);
+        return 0;
+    }
+    if (kind_ == "queries") {
+        study::run_queries(settings_);
         return 0;
     }
     std::vector<study::AxisText> axes;

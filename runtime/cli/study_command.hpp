@@ -9,7 +9,7 @@
 
 namespace orbweaver {
 
-/// `orbweaver study accuracy|stability SCENE --out DIR`.
+/// `orbweaver study accuracy|stability|queries SCENE --out DIR`.
 class StudyCommand {
 public:
     explicit StudyCommand(CLI::App& app);
@@ -27,6 +27,7 @@ private:
     std::string time_;
     std::vector<std::string> axes_;
     CLI::Option* repeats_;
+    CLI::Option* references_;
 };
 
 }  // namespace orbweaver

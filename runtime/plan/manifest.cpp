@@ -52,6 +52,9 @@ OptionSpec read_option(const std::string& key, const Node& node, Diagnostics& fa
             {node.where, fmt::format("option '{}' has the unknown unit '{}'", key, spec.unit), "", ""});
     if (const Node* value = reader.take("default")) spec.default_value = *value;
     reader.take("required", spec.required);
+    if (key.find('*') != std::string::npos && (spec.default_value || spec.required))
+        faults.push_back({node.where, fmt::format("option '{}' has a default or is required", key),
+                          "neither, of an option whose name the scene gives", ""});
     reader.take_number("min", spec.min);
     reader.take_number("max", spec.max);
     spec.above_min = reader.take_number("above", spec.min);
@@ -69,6 +72,7 @@ OptionSpec read_option(const std::string& key, const Node& node, Diagnostics& fa
         faults.push_back({node.where, fmt::format("option '{}' has the asset '{}'", key, spec.asset),
                           "\"mesh\", of an option of type file", ""});
     reader.take("meaning", spec.meaning);
+    reader.take("plan", spec.plan);
     if (spec.meaning.empty()) reader.missing("meaning");
     reader.finish();
     return spec;

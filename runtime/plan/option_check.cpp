@@ -188,16 +188,21 @@ public:
     TableChecker(std::span<const OptionSpec> specs, const AssetPaths& paths, Diagnostics& faults)
         : specs_(specs), paths_(paths), faults_(faults) {}
 
-    void read(const Node& table, const std::string& prefix, Options& into) const {
+    /// `prefix`: of the keys of this table's options; `pattern`: the same as the manifest has it, where *
+    /// stands for a name of the scene's own.
+    void read(const Node& table, const std::string& prefix, const std::string& pattern, Options& into) const {
         for (const Member& member : *table.table()) {
             const std::string key = prefix + member.key;
-            if (const OptionSpec* spec = find_spec(key)) {
-                if (auto value = ValueReader(*spec, paths_, faults_).read(member.node))
+            const std::string known = pattern + (is_known(pattern + member.key) ? member.key : "*");
+            if (const OptionSpec* spec = find_spec(known)) {
+                OptionSpec named = *spec;
+                named.key = key;
+                if (auto value = ValueReader(named, paths_, faults_).read(member.node))
                     into.set(key, std::move(*value), member.node.where);
-            } else if (!is_group(key)) {
-                report_unknown(member, key, prefix);
+            } else if (!is_group(known)) {
+                report_unknown(member, key, pattern);
             } else if (member.node.table() != nullptr) {
-                read(member.node, key + ".", into);
+                read(member.node, key + ".", known + ".", into);
             } else {
                 faults_.push_back(
                     {member.node.where, fmt::format("'{}' is {}", key, show(member.node)), "a table", ""});
@@ -215,7 +220,7 @@ public:
                 continue;
             }
             try {
-                read(read_toml_file(path), "", into);
+                read(read_toml_file(path), "", "", into);
             } catch (const Fault& fault) {
                 faults_.push_back({given.where(spec.key), fault.what(), "", ""});
             }
@@ -244,18 +249,21 @@ private:
         return std::any_of(specs_.begin(), specs_.end(),
                            [&](const OptionSpec& s) { return s.key.starts_with(key + "."); });
     }
-    void report_unknown(const Member& member, const std::string& key, const std::string& prefix) const {
+    bool is_known(const std::string& key) const { return find_spec(key) != nullptr || is_group(key); }
+    void report_unknown(const Member& member, const std::string& key, const std::string& pattern) const {
         std::vector<std::string> names;
         for (const OptionSpec& spec : specs_) {
-            if (!spec.key.starts_with(prefix)) continue;
-            std::string name = spec.key.substr(prefix.size());
+            if (!spec.key.starts_with(pattern)) continue;
+            std::string name = spec.key.substr(pattern.size());
             name = name.substr(0, name.find('.'));
             if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
         }
         const std::string nearest = nearest_name(member.key, names);
-        faults_.push_back({member.where, fmt::format("there is no option '{}'", key),
-                           "one of " + join_names(names),
-                           nearest.empty() ? "" : fmt::format("did you mean '{}{}'?", prefix, nearest)});
+        faults_.push_back(
+            {member.where, fmt::format("there is no option '{}'", key), "one of " + join_names(names),
+             nearest.empty() ? ""
+                             : fmt::format("did you mean '{}{}'?",
+                                           key.substr(0, key.size() - member.key.size()), nearest)});
     }
     std::string find_preset(const OptionSpec& spec, const std::string& name) const {
         std::error_code error;
@@ -276,6 +284,7 @@ private:
             for (const auto& entry : fs::directory_iterator(fs::path(assets) / spec.folder, error))
                 if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
         std::sort(names.begin(), names.end());
+        names.erase(std::unique(names.begin(), names.end()), names.end());  // in several folders
         const std::string nearest = nearest_name(name, names);
         faults_.push_back({where, fmt::format("there is no {} '{}'", spec.key, name),
                            (names.empty() ? "" : join_names(names) + ", or ") + "a path ending in .toml",
@@ -298,7 +307,7 @@ Options check_options(const Node& table, std::span<const OptionSpec> specs, cons
         return result;
     }
     const TableChecker checker(specs, paths, faults);
-    checker.read(table, "", result);
+    checker.read(table, "", "", result);
     Options preset;
     checker.read_presets(result, preset);
     for (const auto& [key, entry] : preset.entries())

@@ -26,7 +26,7 @@ enum class OptionType : std::uint8_t {
 
 /// One option of a module, as its manifest declares it.
 struct OptionSpec {
-    std::string key;  ///< dotted when it lies in a nested table
+    std::string key;  ///< dotted when it lies in a nested table; a part * stands for names of the scene's own
     OptionType type = OptionType::text;
     std::string unit = "1";
     std::optional<Node> default_value;
@@ -40,6 +40,7 @@ struct OptionSpec {
     std::string folder;  ///< of a preset, below assets/
     std::string asset;   ///< of a file, what is baked from it: "mesh"; empty: it is used as it is
     std::string meaning;
+    std::string plan;  ///< what a plan adds to its module where the scene gives this option; empty: nothing
 };
 
 std::string_view to_string(OptionType type) noexcept;

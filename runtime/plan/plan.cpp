@@ -47,6 +47,7 @@ public:
         for (const Member& member : *scene_.table())
             if (member.key != "scene") read_table(member);
         add_requested();
+        add_collected();
         add_providers();
         check_window();
         check_contracts();
@@ -114,6 +115,17 @@ private:
                 add_module(manifest, manifest.when == "recording"
                                          ? "frames or a video were asked for"
                                          : fmt::format("'{}' was asked for", manifest.when));
+    }
+
+    // What the request itself collects, of modules that find what they need in this plan.
+    void add_collected() {
+        for (const std::string& contract : request_.collects)
+            for (const Manifest& manifest : catalog_.manifests)
+                if (manifest.table.empty() && contains(manifest.provides, contract) &&
+                    request_matches(manifest.when, request_) &&
+                    std::all_of(manifest.needs.begin(), manifest.needs.end(),
+                                [&](const std::string& need) { return planned(need); }))
+                    add_module(manifest, fmt::format("{} is asked of all that provide it", contract));
     }
 
     bool planned(const std::string& contract) const {

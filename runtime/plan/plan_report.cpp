@@ -12,14 +12,24 @@ std::string libraries_text(const Manifest& manifest) {
     return manifest.libraries.empty() ? "" : fmt::format(" [{}]", fmt::join(manifest.libraries, ", "));
 }
 
+/// What the manifest has to say of the options that the scene gives.
+std::vector<std::string> notes(const PlannedModule& module) {
+    std::vector<std::string> all;
+    for (const OptionSpec& option : module.manifest->options)
+        if (!option.plan.empty() && module.options.given(option.key)) all.push_back(option.plan);
+    return all;
+}
+
 }  // namespace
 
 std::string plan_text(const Plan& plan) {
     std::string text = fmt::format("scene {}\n\nloaded, in this order:\n", plan.scene.name);
     if (plan.modules.empty()) text += "  nothing: the scene asks for no module\n";
-    for (const PlannedModule& module : plan.modules)
+    for (const PlannedModule& module : plan.modules) {
         text +=
             fmt::format("  {:<16} {}{}\n", module.instance, module.reason, libraries_text(*module.manifest));
+        for (const std::string& note : notes(module)) text += fmt::format("  {:<16} {}\n", "", note);
+    }
     text += "\nleft out:\n";
     for (const LeftOut& each : plan.left_out)
         text += fmt::format("  {:<16} {}{}\n", each.manifest->id, each.reason, libraries_text(*each.manifest));
@@ -44,7 +54,8 @@ std::string plan_json(const Plan& plan) {
                                    {"reason", module.reason},
                                    {"library", module.manifest->library},
                                    {"brings", module.manifest->libraries},
-                                   {"phases", phases}});
+                                   {"phases", phases},
+                                   {"notes", notes(module)}});
     }
     json["left_out"] = nlohmann::ordered_json::array();
     for (const LeftOut& each : plan.left_out)

@@ -28,6 +28,8 @@ public:
               std::pair("tolerance", &spec_.tolerance), std::pair("on_unstable", &spec_.on_unstable),
               std::pair("axis", &spec_.axis)})
             reader.take(key, *into);
+        reader.take("numerics", spec_.numerics);
+        reader.take("automatic", spec_.automatic);
         reader.take("steps", spec_.steps);
         reader.take("tolerances", spec_.tolerances);
         reader.take("references", spec_.references);
@@ -48,7 +50,16 @@ private:
             check_choices("steps", spec_.steps, option->choices);
             check_choices("tolerances", spec_.tolerances, option->choices);
         }
+        check_known("numerics", spec_.numerics);
+        check_known("automatic", spec_.automatic);
         check_references();
+    }
+
+    void check_known(const char* key, const std::vector<std::string>& names) {
+        for (const std::string& name : names)
+            if (std::none_of(options_.begin(), options_.end(),
+                             [&](const OptionSpec& o) { return o.key == name; }))
+                fault(fmt::format("study.{} names \"{}\"", key, name), "names of options");
     }
 
     const OptionSpec* check_option(const char* key, const std::string& name, OptionType type) {

@@ -19,6 +19,8 @@ struct StudySpec {
     std::string tolerance;                ///< option, m: the tolerance of `tolerances`; empty: there are none
     std::string on_unstable;              ///< option, a choice that has "as_asked" and "substep"
     std::string axis;                     ///< option, a number: what a map of stability varies beside the step
+    std::vector<std::string> numerics;    ///< other options of how it is integrated, and not of what
+    std::vector<std::string> automatic;   ///< options that are refused beside a method that is named
     std::vector<std::string> steps;       ///< methods whose accuracy is set by the step
     std::vector<std::string> tolerances;  ///< methods whose accuracy is set by the tolerance
     std::vector<std::string>

@@ -43,6 +43,14 @@ public:
         const auto found = contracts_.find(Contract::kContract);
         return found == contracts_.end() ? nullptr : static_cast<Contract*>(found->second.front());
     }
+    /// Every provider of a contract, in attach order.
+    template <class Contract>
+    std::vector<Contract*> collect() const {
+        std::vector<Contract*> all;
+        if (const auto found = contracts_.find(Contract::kContract); found != contracts_.end())
+            for (void* each : found->second) all.push_back(static_cast<Contract*>(each));
+        return all;
+    }
 
 private:
     void load(Plan& plan);

@@ -1,5 +1,7 @@
 #include "orbweaver/options.hpp"
 
+#include <algorithm>
+
 #include "orbweaver/fault.hpp"
 
 namespace orbweaver {
@@ -18,6 +20,19 @@ bool Options::given(std::string_view key) const noexcept {
 Location Options::where(std::string_view key) const {
     const auto found = entries_.find(key);
     return found != entries_.end() && !found->second.where.file.empty() ? found->second.where : table_;
+}
+
+std::vector<std::string> Options::names_in(std::string_view group) const {
+    const std::string prefix = std::string(group) + ".";
+    std::vector<std::string> names;
+    for (auto entry = entries_.lower_bound(prefix); entry != entries_.end(); ++entry) {
+        const std::string& key = entry->first;
+        if (!key.starts_with(prefix)) break;
+        names.push_back(key.substr(prefix.size(), key.rfind('.') - prefix.size()));
+    }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
 }
 
 template <class T>

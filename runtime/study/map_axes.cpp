@@ -13,6 +13,10 @@ namespace {
 
 constexpr const char* kFrame = "scene.step";
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 [[noreturn]] void refuse(const std::string& path, const std::string& sentence) {
     throw Fault(FaultKind::invalid, fmt::format("--axis {}: {}", path, sentence));
 }
@@ -65,6 +69,10 @@ void check_effect(const Subject& subject, const MapAxis& axis) {
     if (axis.table == subject.table() && axis.option == subject.spec().method)
         refuse(axis.path,
                "every method has a map of its own; choose them by --method, and name another option");
+    if (axis.table == subject.table() && contains(subject.spec().automatic, axis.option))
+        refuse(axis.path,
+               "it has no effect, since every map is of one method, and this option only helps to choose one; "
+               "name another option");
 }
 
 /// Refuses a value for what the scene says of its override, which was not typed as one.
@@ -141,8 +149,8 @@ MapAxes choose_axes(const StudySettings& settings, const Subject& subject, const
         check_effect(subject, *axis);
         check_values(settings, *axis, planned.plan);
         if (axis->table != subject.table()) continue;
-        axis->physical =
-            axis->option != spec.step && axis->option != spec.tolerance && axis->option != spec.on_unstable;
+        axis->physical = axis->option != spec.step && axis->option != spec.tolerance &&
+                         axis->option != spec.on_unstable && !contains(spec.numerics, axis->option);
         if (axis->option != spec.step) continue;
         snap_steps(*axis, subject.scene().step);
         axes.step_axis = axis == &axes.x ? 0 : 1;

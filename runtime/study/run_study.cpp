@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "orbweaver/fault.hpp"
 #include "run/interrupt.hpp"
+#include "run/session.hpp"
 #include "study/accuracy.hpp"
 #include "study/accuracy_files.hpp"
+#include "study/queries.hpp"
+#include "study/queries_files.hpp"
 #include "study/stability.hpp"
 #include "study/stability_files.hpp"
 #include "study/study_files.hpp"
@@ -53,6 +57,27 @@ void run_stability(const StudySettings& settings, const std::vector<AxisText>& a
         study_stability(settings, subject, axes, deadline_in(settings.time, interrupt));
     files.commit(
         {stability_csv(result), stability_json(result), stability_svg(result), stability_page(result)});
+    print(result.sentences, settings.out);
+}
+
+void run_queries(const StudySettings& settings) {
+    const Interrupt interrupt;
+    RunSettings run = settings.run;
+    run.request.collects = {SurfaceWays::kContract};
+    const PlannedScene planned = plan_scene(run);
+    if (!planned.plan.faults.empty()) throw Fault(FaultKind::invalid, all_sentences(planned.plan.faults));
+    const Session session(planned.plan, run.request);
+    if (!session.faults().empty()) throw Fault(FaultKind::invalid, all_sentences(session.faults()));
+    const Surface* surface = session.find<Surface>();
+    if (surface == nullptr)
+        throw Fault(FaultKind::invalid,
+                    fmt::format("{}: it has no surface to be asked; expected a table such as [surface]",
+                                run.scene_path));
+    StudyFiles files(settings.out, {"queries.csv", "queries.json", "queries.svg", "index.html"});
+    const QueryResult result =
+        study_queries(settings, session.scene().name, session.scene().seed, *surface,
+                      session.collect<SurfaceWays>(), deadline_in(settings.time, interrupt));
+    files.commit({queries_csv(result), queries_json(result), queries_svg(result), queries_page(result)});
     print(result.sentences, settings.out);
 }
 

@@ -11,5 +11,6 @@ namespace orbweaver::study {
 /// ends it early, with what was found so far. Throws Fault.
 void run_accuracy(const StudySettings& settings);
 void run_stability(const StudySettings& settings, const std::vector<AxisText>& axes);
+void run_queries(const StudySettings& settings);
 
 }  // namespace orbweaver::study

@@ -7,6 +7,7 @@
 #include <list>
 #include <map>
 #include <numeric>
+#include <regex>
 
 #include "orbweaver/fault.hpp"
 #include "output/progress.hpp"
@@ -24,6 +25,12 @@ struct Reference {
     const std::vector<Vec3>* nudges = nullptr;  ///< m; null: there was no time for it
     std::optional<double> speed;                ///< m/s, rms; nothing when it did not get through
 };
+
+/// What is left of a sentence when its numbers and their units' prefixes are not looked at.
+std::string without_numbers(const std::string& sentence) {
+    static const std::regex number("[0-9][0-9.]*(e[+-]?[0-9]+)?( [num]?s\\b)?");
+    return std::regex_replace(sentence, number, "#");
+}
 
 class StabilityStudy {
 public:
@@ -153,11 +160,12 @@ private:
         Progress progress("stability", 0, methods_.size() * result_.axes.cells(), 0, settings_.run.quiet,
                           "cells");
         for (std::size_t m = 0; m < methods_.size(); ++m) {
-            StabilityMap map{methods_[m], {}, {}, taken_step(methods_[m])};
+            StabilityMap map{methods_[m], {}, {}, taken_step(methods_[m]), {}};
             advise(map);
             const Deadline share = deadline_.share(1 / static_cast<double>(methods_.size() - m));
             run_map(map, share, [&](std::size_t done) { progress.update(m * result_.axes.cells() + done); });
             result_.sentences.push_back(summary(map));
+            say_refusals(map);
             result_.maps.push_back(std::move(map));
         }
     }
@@ -165,19 +173,42 @@ private:
     template <class Done>
     void run_map(StabilityMap& map, const Deadline& share, Done&& done) {
         map.cells.assign(result_.axes.cells(), CellClass::unknown);
+        map.reasons.assign(result_.axes.cells(), {});
         std::size_t count = 0;
         for (const std::size_t cell : order()) {
             if (share.passed()) return;
             const Reference& reference = references_.at(result_.axes.physics(cell));
-            if (reference.nudges != nullptr) map.cells[cell] = run_cell(map.method, cell, reference, share);
+            if (reference.nudges != nullptr) run_cell(map, cell, reference, share);
             done(++count);
         }
     }
 
-    CellClass run_cell(const std::string& method, std::size_t cell, const Reference& reference,
-                       const Deadline& share) const {
-        const TrialPlan plan{cell_overrides(method, cell), result_.duration_s, *reference.nudges};
-        return judge(run_trial(settings_, subject_, plan, share), reference.speed);
+    void run_cell(StabilityMap& map, std::size_t cell, const Reference& reference,
+                  const Deadline& share) const {
+        const TrialPlan plan{cell_overrides(map.method, cell), result_.duration_s, *reference.nudges};
+        const Trial trial = run_trial(settings_, subject_, plan, share);
+        map.cells[cell] = judge(trial, reference.speed);
+        if (map.cells[cell] == CellClass::refused) map.reasons[cell] = trial.message;
+    }
+
+    /// Each reason once, with the first cell that has it: those that differ in numbers only are one.
+    void say_refusals(const StabilityMap& map) {
+        struct Refusals {
+            std::size_t first = 0;
+            std::size_t count = 0;
+        };
+        std::map<std::string, Refusals> found;
+        for (std::size_t cell = 0; cell < map.cells.size(); ++cell) {
+            if (map.cells[cell] != CellClass::refused) continue;
+            const auto [it, is_new] = found.emplace(without_numbers(map.reasons[cell]), Refusals{cell, 0});
+            ++it->second.count;
+        }
+        const MapAxes& axes = result_.axes;
+        for (const auto& [alike, refusals] : found)
+            result_.sentences.push_back(fmt::format(
+                "{}: refused in {} {}, as at {} and {}: {}", map.method, refusals.count,
+                refusals.count == 1 ? "cell" : "cells", axes.x.assignment(axes.column(refusals.first)),
+                axes.y.assignment(axes.row(refusals.first)), map.reasons[refusals.first]));
     }
 
     void advise(StabilityMap& map) const {

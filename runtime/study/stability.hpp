@@ -28,6 +28,7 @@ struct StabilityMap {
                                     ///< not the step; empty when neither is
     std::optional<double> taken_step_s;  ///< s, that the scene as it stands takes with this method; nothing
                                          ///< when it does not get through a frame
+    std::vector<std::string> reasons;    ///< of each cell, why it was refused; empty where it was not
 };
 
 struct StabilityResult {

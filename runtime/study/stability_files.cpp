@@ -134,7 +134,10 @@ Json axis_json(const MapAxis& axis) {
 }
 
 Json map_json(const StabilityMap& map) {
-    Json json = {{"method", map.method}, {"classes", Json::array()}, {"advised_step_s", Json::array()}};
+    Json json = {{"method", map.method},
+                 {"classes", Json::array()},
+                 {"reasons", map.reasons},
+                 {"advised_step_s", Json::array()}};
     for (const CellClass kind : map.cells) json["classes"].push_back(to_string(kind));
     for (const double step : map.advised_s) json["advised_step_s"].push_back(number(step));
     json["scene_step_s"] = map.taken_step_s ? number(*map.taken_step_s) : Json(nullptr);
@@ -147,7 +150,8 @@ std::string how_to_read(const StabilityResult& result) {
         "<b>degraded</b>: it ended, but moved more than {:g} times faster or slower than that (root mean "
         "square "
         "speed between frames). <b>diverged</b>: the module stopped it, since its values meant nothing. "
-        "<b>refused</b>: the module would not begin. <b>unknown</b>: there was no time for it or for its "
+        "<b>refused</b>: the module would not begin, for the reasons above. <b>unknown</b>: there was no time "
+        "for it or for its "
         "reference.</p>\n",
         seconds_text(result.duration_s), kSpeedFactor);
     if (result.axes.step_axis < 0) return html;
@@ -170,12 +174,12 @@ std::string field(const std::string& text) {
 }  // namespace
 
 std::string stability_csv(const StabilityResult& result) {
-    std::string csv = fmt::format("method,{},{},class\n", result.axes.x.path, result.axes.y.path);
+    std::string csv = fmt::format("method,{},{},class,reason\n", result.axes.x.path, result.axes.y.path);
     const MapAxes& axes = result.axes;
     for (const StabilityMap& map : result.maps)
         for (std::size_t i = 0; i < map.cells.size(); ++i)
-            csv += fmt::format("{},{},{},{}\n", map.method, field(axes.x.text(axes.column(i))),
-                               field(axes.y.text(axes.row(i))), to_string(map.cells[i]));
+            csv += fmt::format("{},{},{},{},{}\n", map.method, field(axes.x.text(axes.column(i))),
+                               field(axes.y.text(axes.row(i))), to_string(map.cells[i]), field(map.reasons[i]));
     return csv;
 }
 

@@ -6,7 +6,7 @@
 
 namespace orbweaver::study {
 
-/// "method,<axis>,<axis>,class", the axes named by the paths of their options.
+/// "method,<axis>,<axis>,class,reason", the axes named by the paths of their options.
 std::string stability_csv(const StabilityResult& result);
 std::string stability_json(const StabilityResult& result);
 /// A map a method, the adviser's prediction over it as a line, and the scene's own point.

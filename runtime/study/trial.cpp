@@ -183,6 +183,12 @@ Trial run_trial(const StudySettings& settings, const Subject& subject, const Tri
     // Methods that are set by their step refuse the scene's tolerance.
     if (!subject.spec().tolerance.empty())
         run.removals.push_back(subject.table() + "." + subject.spec().tolerance);
+    // A method that is named refuses what helps to choose one, wherever that was said.
+    for (const std::string& option : subject.spec().automatic) {
+        const std::string path = subject.table() + "." + option;
+        std::erase_if(run.overrides, [&](const std::string& text) { return text.starts_with(path + "="); });
+        run.removals.push_back(path);
+    }
     run.overrides.insert(run.overrides.end(), plan.overrides.begin(), plan.overrides.end());
     run.overrides.push_back(fmt::format("scene.duration={}", plan.duration));
     const PlannedScene planned = plan_sound_scene(run);

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "../modules/web/sample_webs.hpp"
@@ -46,6 +47,27 @@ Bodies tangle() {
         } while (s.a == s.b);
     }
     return bodies;
+}
+
+/// The web with its particles numbered at random.
+Bodies shuffled() {
+    const Bodies web = thesis_web(0);
+    const RandomStream random(1, "shuffle");
+    std::vector<std::uint32_t> to(web.x.size());
+    std::iota(to.begin(), to.end(), 0U);
+    for (std::size_t i = to.size(); i > 1; --i) std::swap(to[i - 1], to[random.bits(i) % i]);
+    Bodies mixed = web;
+    for (std::size_t i = 0; i < to.size(); ++i) {
+        mixed.network.mass[to[i]] = web.network.mass[i];
+        mixed.network.fixed[to[i]] = web.network.fixed[i];
+        mixed.x[to[i]] = web.x[i];
+        mixed.v[to[i]] = web.v[i];
+    }
+    for (Spring& s : mixed.network.springs) {
+        s.a = to[s.a];
+        s.b = to[s.b];
+    }
+    return mixed;
 }
 
 std::vector<double> packed(const SpringSystem& system, const std::vector<Vec3>& vectors) {
@@ -138,6 +160,7 @@ BENCHMARK_CAPTURE(forces, plain_undamped, thesis_web(0), &plain_kernels());
 BENCHMARK_CAPTURE(forces, plain_damped, thesis_web(1e-6), &plain_kernels());
 BENCHMARK_CAPTURE(forces, avx2_undamped, thesis_web(0), avx2_kernels());
 BENCHMARK_CAPTURE(forces, avx2_damped, thesis_web(1e-6), avx2_kernels());
+BENCHMARK_CAPTURE(forces, avx2_shuffled, shuffled(), avx2_kernels());
 BENCHMARK_CAPTURE(forces, avx2_tangle, tangle(), avx2_kernels());
 BENCHMARK_CAPTURE(step, explicit_euler, "explicit_euler");
 BENCHMARK_CAPTURE(step, symplectic_euler, "symplectic_euler");

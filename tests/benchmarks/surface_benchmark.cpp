@@ -33,12 +33,12 @@ void each(benchmark::State& state, const Samples& all, Ask&& ask) {
 
 void underfoot_walking(benchmark::State& state) {
     const auto& s = samples();
-    each(state, s.stances, [&](const Stance& stance) { return underfoot(s.mesh, s.tree, stance); });
+    each(state, s.stances, [&](const Stance& stance) { return underfoot(s.mesh, s.parts, stance); });
 }
 
 void ray_wide_tree(benchmark::State& state, const std::vector<SurfaceRay>& rays) {
     const auto& s = samples();
-    each(state, rays, [&](const SurfaceRay& ray) { return first_hit(*s.tree.get(), s.set, ray); });
+    each(state, rays, [&](const SurfaceRay& ray) { return first_hit(*s.parts.tree(), s.set, ray); });
 }
 
 void ray_fcl_tree(benchmark::State& state, const std::vector<SurfaceRay>& rays) {
@@ -50,7 +50,7 @@ void ray_fcl_tree(benchmark::State& state, const std::vector<SurfaceRay>& rays) 
 void nearest_point(benchmark::State& state) {
     const auto& s = samples();
     each(state, s.stances, [&](const Stance& stance) {
-        return closest_point(*s.tree.get(), s.set, stance.position, stance.reach);
+        return closest_point(*s.parts.tree(), s.set, stance.position, stance.reach);
     });
 }
 
@@ -63,7 +63,7 @@ void stride_ray(benchmark::State& state) {
     const auto& s = samples();
     std::array<StrideCorner, 16> corners;
     each(state, s.footings,
-         [&](const Footing& from) { return stride(s.mesh, 1, s.tree, from, 10 * s.step_length, corners); });
+         [&](const Footing& from) { return stride(s.mesh, 1, s.parts, from, 10 * s.step_length, corners); });
 }
 
 void sphere_clearance(benchmark::State& state) {

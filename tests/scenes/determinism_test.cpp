@@ -121,7 +121,7 @@ TEST_CASE("a run ends in the same bits with and without wide vectors, by every m
 
 TEST_CASE("a restored run goes on with the method that it chose, whatever it would choose now", "[scene]") {
     const auto lasting = [](const char* duration) {
-        return std::vector<std::string>{"web.method=auto", "web.tolerance=1e-5",
+        return std::vector<std::string>{"web.method=auto", "web.tolerance=6e-5",
                                         "scene.duration=" + std::string(duration)};
     };
     OpenScene whole = open_scene("strand", {}, lasting("0.1"));

@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "scratch.hpp"
 #include "shipped_scenes.hpp"
 
 using namespace orbweaver;
@@ -72,7 +73,7 @@ Names newly_mapped(const std::function<void(const std::function<void()>&)>& body
 
 Names mapped_by(const std::string& scene, const Request& request) {
     return newly_mapped([&](const std::function<void()>& report) {
-        OpenScene open = open_scene(scene, request);
+        OpenScene open = open_scene_file(scene, request);
         open.session->step();
         report();
     });
@@ -82,6 +83,7 @@ Names mapped_by(const std::string& scene, const Request& request) {
 
 TEST_CASE("headless, a scene maps its own physics and nothing else", "[scene]") {
     const std::map<std::string, Names> expected = {
+        {"cliff", {"surface", "web", "wind"}},
         {"meadow", {"web", "wind"}},
         {"thesis_web", {"web"}},
         {"strand", {"web"}},
@@ -94,20 +96,30 @@ TEST_CASE("headless, a scene maps its own physics and nothing else", "[scene]") 
     for (const std::string& name : shipped_scenes()) {
         CAPTURE(name);
         REQUIRE(expected.count(name) == 1);
-        CHECK(mapped_by(name, {}) == expected.at(name));
+        CHECK(mapped_by(scene_path(name), {}) == expected.at(name));
     }
+}
+
+TEST_CASE("a flat floor maps its module alone: no mesh, no tree, no FCL", "[scene]") {
+    const test::Scratch folder;
+    const std::string scene = folder.write("floor.toml", "[surface]\nfloor = \"4 m\"\n");
+    CHECK(mapped_by(scene, {}) == Names{"surface"});
+    const OpenScene open = open_scene_file(scene);
+    CHECK_THAT(plan_text(open.planned.plan),
+               Catch::Contains("a flat floor: no mesh is mapped and no tree is built") &&
+                   Catch::Contains("nothing in this plan needs it [fcl, ccd, octomap]"));
 }
 
 TEST_CASE("threads bring oneTBB, and only when asked for", "[scene]") {
     Request two;
     two.threads = 2;
-    CHECK(mapped_by("meadow", two) == Names{"web", "wind", "workers", "libtbb", "libtbbmalloc"});
+    CHECK(mapped_by(scene_path("meadow"), two) == Names{"web", "wind", "workers", "libtbb", "libtbbmalloc"});
 }
 
 TEST_CASE("pictures bring one software rasterizer and no window library", "[scene]") {
     Request pictures;
     pictures.pictures = true;
-    const Names names = mapped_by("meadow", pictures);
+    const Names names = mapped_by(scene_path("meadow"), pictures);
     for (const char* wanted : {"web", "wind", "view", "canvas_osmesa", "libOSMesa", "libglapi"}) {
         CAPTURE(wanted);
         CHECK(names.count(wanted) == 1);

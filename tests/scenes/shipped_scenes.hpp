@@ -25,16 +25,16 @@ inline std::vector<std::string> shipped_scenes() {
     return names;
 }
 
-/// A session of a shipped scene, as the command line would make it. The catalog outlives the session.
+/// A session of a scene, as the command line would make it. The catalog outlives the session.
 struct OpenScene {
     PlannedScene planned;
     std::unique_ptr<Session> session;
 };
 
-inline OpenScene open_scene(const std::string& name, Request request = {},
-                            std::vector<std::string> overrides = {}) {
+inline OpenScene open_scene_file(const std::string& path, Request request = {},
+                                 std::vector<std::string> overrides = {}) {
     RunSettings settings;
-    settings.scene_path = scene_path(name);
+    settings.scene_path = path;
     settings.module_directories = {ORBWEAVER_MODULE_DIR};
     settings.request = request;
     settings.overrides = std::move(overrides);
@@ -44,6 +44,12 @@ inline OpenScene open_scene(const std::string& name, Request request = {},
         throw Fault(FaultKind::invalid, to_string(scene.planned.plan.faults.front()));
     scene.session = std::make_unique<Session>(scene.planned.plan, request);
     return scene;
+}
+
+/// One that ships, by name.
+inline OpenScene open_scene(const std::string& name, Request request = {},
+                            std::vector<std::string> overrides = {}) {
+    return open_scene_file(scene_path(name), std::move(request), std::move(overrides));
 }
 
 }  // namespace orbweaver

@@ -1,9 +1,13 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <fstream>
+#include <sstream>
 
+#include "scratch.hpp"
 #include "shipped_scenes.hpp"
 #include "study/accuracy.hpp"
 #include "study/accuracy_files.hpp"
+#include "study/run_study.hpp"
 #include "study/stability.hpp"
 
 using namespace orbweaver;
@@ -98,4 +102,20 @@ TEST_CASE("winds and materials are axes by their names", "[scene]") {
     for (const CellClass kind : winds.maps[0].cells) CHECK(kind == CellClass::stable);
     CHECK(winds.axes.x.own == 1);
     CHECK(winds.axes.y.own == 0);
+}
+
+TEST_CASE("queries of a surface are answered by every module that can, FCL's too", "[scene]") {
+    const test::Scratch folder;
+    StudySettings settings;
+    settings.run.scene_path = folder.write("floor.toml", "[surface]\nfloor = \"4 m\"\n");
+    settings.run.module_directories = {ORBWEAVER_MODULE_DIR};
+    settings.run.quiet = true;
+    settings.repeats = 1;
+    settings.out = folder.path("out");
+    run_queries(settings);
+    std::stringstream csv_text;
+    csv_text << std::ifstream(folder.path("out/queries.csv")).rdbuf();
+    const std::string csv = csv_text.str();
+    for (const char* way : {"walker", "wide_tree", "every_triangle", "closest_point", "fcl_tree"})
+        CHECK_THAT(csv, Catch::Contains(std::string("underfoot,") + way + ",2000,0,0,"));
 }

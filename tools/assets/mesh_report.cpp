@@ -31,6 +31,7 @@ std::string findings(const Validation& v) {
            found("dropped degenerate", v.dropped_degenerate, "polygon", v.first_degenerate) +
            found("dropped duplicate", v.dropped_duplicate, "polygon", v.first_duplicate) +
            found("border edges", v.border_edges, "triangle", v.first_border) +
+           found("T-junctions", v.t_junctions, "vertex", v.first_t_junction) +
            found("non-manifold edges", v.nonmanifold_edges, "triangle", v.first_nonmanifold) +
            found("non-manifold vertices", v.nonmanifold_vertices, "vertex", v.first_nonmanifold_vertex) +
            found("flipped triangles", v.flipped, "triangle", v.first_flipped) +
@@ -82,6 +83,7 @@ std::string mesh_json(const BakedFile& file) {
         {"vertices", mesh.vertices.size()},
         {"edges", v.edges},
         {"border_edges", v.border_edges},
+        {"t_junctions", v.t_junctions},
         {"nonmanifold_edges", v.nonmanifold_edges},
         {"nonmanifold_vertices", v.nonmanifold_vertices},
         {"shells", v.shells},

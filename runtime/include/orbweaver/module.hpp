@@ -47,6 +47,8 @@ struct Request {
     int height = 0;
     double frames_per_second = 0;  ///< of pictures; 0: one a frame
     int threads = 1;
+    /// Contracts of which the run itself asks every provider, those without a table in the scene included.
+    std::vector<std::string> collects;
 };
 
 enum class LogLevel : std::uint8_t { debug, info, warning };

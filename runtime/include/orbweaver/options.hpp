@@ -36,6 +36,10 @@ public:
     Location where(std::string_view key) const;
     void set_table(Location where) { table_ = std::move(where); }
 
+    /// Of options such as "material.*.friction", in the group "material": the names that the scene gives,
+    /// sorted.
+    std::vector<std::string> names_in(std::string_view group) const;
+
     bool flag(std::string_view key) const;
     std::int64_t integer(std::string_view key) const;
     double number(std::string_view key) const;

@@ -113,29 +113,47 @@ private:
 struct Contender {
     std::string name;
     std::function<double(std::size_t)> ask;  ///< the sample's distance; below 0: nothing
-    double nanoseconds = 1e9;
+    using Times = std::vector<double>;       ///< ns a query, one a round
+    Times cold{}, warm{};
     std::size_t hits = 0;
 };
 
-/// The best of many rounds, in which contenders take turns: what else runs on the machine hits all of them.
+double median(std::vector<double> of) {
+    std::nth_element(of.begin(), of.begin() + static_cast<std::ptrdiff_t>(of.size() / 2), of.end());
+    return of[of.size() / 2];
+}
+
+/// Of the ratios of what was measured in the same round.
+double median_ratio(const Contender::Times& a, const Contender::Times& b) {
+    std::vector<double> ratios(a.size());
+    std::transform(a.begin(), a.end(), b.begin(), ratios.begin(), std::divides<>());
+    return median(ratios);
+}
+
+/// Contenders take turns, so that what else runs on the machine hits all of them. In a turn each asks all
+/// samples twice over: first with its data pushed out of the caches by the others, then with what it left there
+/// itself.
 void race(const std::string& title, std::size_t samples, std::vector<Contender> all) {
+    constexpr int kRounds = 25;
     double sum = 0;
-    for (int round = 0; round < 25; ++round)
-        for (Contender& each : all) {
-            each.hits = 0;
-            const double start = thread_seconds();
-            for (std::size_t i = 0; i < samples; ++i) {
-                const double distance = each.ask(i);
-                each.hits += distance >= 0;
-                sum += distance;
+    for (int round = 0; round < kRounds; ++round)
+        for (Contender& each : all)
+            for (Contender::Times* times : {&each.cold, &each.warm}) {
+                each.hits = 0;
+                const double start = thread_seconds();
+                for (std::size_t i = 0; i < samples; ++i) {
+                    const double distance = each.ask(i);
+                    each.hits += distance >= 0;
+                    sum += distance;
+                }
+                times->push_back(1e9 * (thread_seconds() - start) / static_cast<double>(samples));
             }
-            each.nanoseconds =
-                std::min(each.nanoseconds, 1e9 * (thread_seconds() - start) / static_cast<double>(samples));
-        }
     fmt::print("\n{}: {} queries (checksum {:.6g})\n", title, samples, sum);
+    fmt::print("  {:<24} {:>16} {:>16}   first is so many times as fast\n", "", "warm ns", "cold ns");
     for (const Contender& each : all)
-        fmt::print("  {:<24} {:8.1f} ns   {:6} hits   first is {:6.2f} times as fast\n", each.name,
-                   each.nanoseconds, each.hits, each.nanoseconds / all.front().nanoseconds);
+        fmt::print("  {:<24} {:16.1f} {:16.1f}   {:6} hits  {:6.2f} warm {:6.2f} cold\n", each.name,
+                   median(each.warm), median(each.cold), each.hits, median_ratio(each.warm, all.front().warm),
+                   median_ratio(each.cold, all.front().cold));
 }
 
 double answer(const SurfaceHit& hit) { return hit.answer == Answer::found ? hit.distance : -1; }
@@ -152,7 +170,7 @@ int main() {
                s.set.triangles.size(), RTC_VERSION_STRING);
     const auto rays = [&](const std::vector<SurfaceRay>& of) {
         return std::vector<Contender>{
-            {"wide tree", [&](std::size_t i) { return answer(first_hit(*s.tree.get(), s.set, of[i])); }},
+            {"wide tree", [&](std::size_t i) { return answer(first_hit(*s.parts.tree(), s.set, of[i])); }},
             {"FCL's tree", [&](std::size_t i) { return answer(fcl.first_hit(of[i])); }},
             {"Embree", [&](std::size_t i) { return fast.first_hit(of[i]); }},
             {"Embree, robust", [&](std::size_t i) { return robust.first_hit(of[i]); }},
@@ -160,7 +178,7 @@ int main() {
     };
     std::vector<Contender> walkers = rays(s.short_rays);
     walkers.insert(walkers.begin(), {"underfoot", [&](std::size_t i) {
-                                         return answer(underfoot(s.mesh, s.tree, s.stances[i]).hit);
+                                         return answer(underfoot(s.mesh, s.parts, s.stances[i]).hit);
                                      }});
     race("which polygon is underfoot, along a walk", s.stances.size(), walkers);
     // The same rays in another order: none begins near the one before.

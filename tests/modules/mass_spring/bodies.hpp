@@ -188,4 +188,30 @@ inline bool same_bits(std::span<const Vec3> a, std::span<const Vec3> b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
 }
 
+/// Where each of so many particles goes when they are numbered at random.
+inline std::vector<std::uint32_t> shuffle(std::size_t particles) {
+    const orbweaver::RandomStream random(1, "shuffle");
+    std::vector<std::uint32_t> to(particles);
+    for (std::uint32_t i = 0; i < particles; ++i) to[i] = i;
+    for (std::size_t i = particles; i > 1; --i) std::swap(to[i - 1], to[random.bits(i) % i]);
+    return to;
+}
+
+/// The same body, its particles numbered at random.
+inline Body shuffled(const Body& body) {
+    const std::vector<std::uint32_t> to = shuffle(body.x.size());
+    Body mixed = body;
+    for (std::size_t i = 0; i < to.size(); ++i) {
+        mixed.network.mass[to[i]] = body.network.mass[i];
+        mixed.network.fixed[to[i]] = body.network.fixed[i];
+        mixed.x[to[i]] = body.x[i];
+        mixed.v[to[i]] = body.v[i];
+    }
+    for (Spring& s : mixed.network.springs) {
+        s.a = to[s.a];
+        s.b = to[s.b];
+    }
+    return mixed;
+}
+
 }  // namespace bodies

@@ -87,6 +87,10 @@ TEST_CASE("methods are found by the name scenes write", "[unit]") {
     CHECK(names ==
           "explicit_euler symplectic_euler verlet rk4 tsit5 srkn6 rkc2 implicit_euler tr_bdf2 provot xpbd ");
     CHECK(find_method("rk5") == nullptr);
+    for (const MethodInfo& info : methods()) CHECK(find_method(method_key(info)) == &info);
+    CHECK(find_method(std::uint64_t{3}) == nullptr);
+    // Saved states hold it: FNV-1a of "a" is the algorithm's published 0xaf63dc4c8601ec8c.
+    CHECK(method_key({"a", 1, 0, 1, nullptr}) == 0xaf63dc4c8601ec8c);
 }
 
 TEST_CASE("every method follows a free fall", "[unit]") {
@@ -99,13 +103,4 @@ TEST_CASE("every method follows a free fall", "[unit]") {
         CHECK(body.v[0].y == Approx(-10).epsilon(1e-11));  // xpbd reads it off positions
         CHECK(body.x[0].y == Approx(-5).epsilon(info.order > 1 ? 1e-12 : 1.1e-3));  // Euler: g h t/2 off
     }
-}
-
-TEST_CASE("a method's mark finds it again, and is its own", "[unit]") {
-    for (const MethodInfo& info : methods()) {
-        INFO(info.name);
-        CHECK(find_marked_method(mark_of(info)) == &info);
-    }
-    CHECK(find_marked_method(0) == nullptr);
-    CHECK(mark_of(*find_method("rk4")) == mark_of({"rk4", 0, 0, 0, nullptr}));
 }

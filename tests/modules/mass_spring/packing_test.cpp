@@ -26,6 +26,19 @@ TEST_CASE("packed vectors come back", "[unit]") {
     }
 }
 
+TEST_CASE("particles may have places of their own", "[unit]") {
+    const Packing packing(std::vector<std::uint32_t>{2, 0, 1});
+    const std::vector<Vec3> vectors{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+    std::vector<double> packed(packing.length());
+    packing.pack(vectors, packed);
+    CHECK(packed[0] == 4);
+    CHECK(packed[2] == 1);
+    CHECK(packed[packing.plane() + 1] == 8);
+    std::vector<Vec3> back(3);
+    packing.unpack(packed, back);
+    CHECK(back == vectors);
+}
+
 TEST_CASE("a block may begin at the last particle", "[unit]") {
     for (std::size_t particles = 1; particles < 20; ++particles) {
         const Packing packing(particles);

@@ -190,3 +190,55 @@ TEST_CASE("a string of beads swings at 2 sqrt(T/(m a)) sin(n pi/40)", "[unit]") 
         }
     }
 }
+
+TEST_CASE("a web moves the same however its particles are numbered, by every method", "[unit]") {
+    const Body own = bodies::ragged_web(0);
+    const Body mixed = bodies::shuffled(own);
+    const std::vector<std::uint32_t> to = bodies::shuffle(own.x.size());
+    const std::vector<Vec3> wind(own.x.size(), {0, 0, 0.1});
+    for (const MethodInfo& method : methods()) {
+        CAPTURE(method.name);
+        std::vector<Body> runs{own, mixed};
+        std::vector<bool> as_numbered;
+        for (Body& run : runs) {
+            SpringSystem system(run.network, nullptr);
+            system.set_surroundings({{0, -9.81, 0}, 0.1, wind});
+            Integrator(system, method).advance(run.x, run.v, 1e-3, 100);
+            as_numbered.push_back(system.packing().place(5) == 5 && system.packing().place(6) == 6);
+        }
+        CHECK_FALSE(as_numbered[1]);
+        double largest = 0;
+        for (std::size_t i = 0; i < to.size(); ++i)
+            largest = std::max(largest, distance(runs[0].x[i], runs[1].x[to[i]]));
+        CHECK(largest < 1e-9);
+        CHECK(distance(runs[0].x[5], own.x[5]) > 1e-3);
+    }
+}
+
+TEST_CASE("springs that are cut leave the load where it was, whatever the order they are kept in", "[unit]") {
+    Body body = bodies::shuffled(bodies::ragged_web(0));
+    std::vector<Vec3> wind(body.x.size());
+    for (std::size_t i = 0; i < wind.size(); ++i) wind[i] = {static_cast<double>(i), 0, 1};
+    SpringSystem system(body.network, nullptr);
+    system.set_surroundings({{}, 0, wind});
+    const auto before = system.packing();
+    body.network.springs.resize(body.network.springs.size() / 3);
+    system.network_changed();
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < wind.size(); ++i) {
+        CHECK(system.external_force(i) == wind[i]);
+        moved += before.place(i) != system.packing().place(i) ? 1 : 0;
+    }
+    CHECK(moved > 0);
+    std::vector<Vec3> f(wind.size()), rest(wind.size());
+    system.forces(body.x, rest, f);
+    std::vector<double> x(system.length()), v(system.length()), a(system.length());
+    system.packing().pack(body.x, x);
+    system.accelerations(x, v, a);
+    std::vector<Vec3> accelerations(wind.size());
+    system.packing().unpack(a, accelerations);
+    for (std::size_t i = 0; i < wind.size(); ++i) {
+        if (body.network.fixed[i] != 0) continue;
+        CHECK(distance(accelerations[i], f[i] / body.network.mass[i]) < 1e-9 * (1 + norm(accelerations[i])));
+    }
+}

@@ -1,4 +1,4 @@
-#include "targets.hpp"
+#include "orbweaver/targets.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -7,6 +7,7 @@
 
 #include "spring_kernel.hpp"
 
+using namespace orbweaver;
 using namespace orbweaver::mass_spring;
 
 TEST_CASE("the processor's widest vectors are used, and none where the environment says so", "[unit]") {

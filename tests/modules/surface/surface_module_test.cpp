@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -5,6 +6,7 @@
 #include "mesh_file.hpp"
 #include "obj_mesh.hpp"
 #include "orbweaver/contracts/surface.hpp"
+#include "plan/manifest.hpp"
 #include "scratch.hpp"
 #include "shapes.hpp"
 #include "tree_file.hpp"
@@ -71,16 +73,74 @@ TEST_CASE("whoever never leaves a flat floor has no tree made", "[unit]") {
     }
     REQUIRE(module.run());
     CHECK(measure(module, "tree") == "none: nobody asked for it");
-    CHECK(measure(module, "clearance_tree") == "none: nobody asked for it");
-    // A ray asks for one, a body for the other.
+    // A ray asks for one.
     CHECK(surface.first_hit({{0.1, 1, 0.1}, {0, -1, 0}}).distance == 1);
     CHECK(measure(module, "tree") == "made when first asked for");
-    CHECK(measure(module, "clearance_tree") == "none: nobody asked for it");
-    ProbeBody body;
-    body.center = {0.1, 1, 0.1};
-    body.size.x = 0.25;
-    CHECK(surface.clearance(body, INFINITY).distance == Approx(0.75));
-    CHECK(measure(module, "clearance_tree") == "made when first asked for");
+}
+
+TEST_CASE("a flat floor answers everything without a mesh and without a tree", "[unit]") {
+    LoadedModule module("surface");
+    FakeHost host;
+    host.set("floor", 4.0, {"scene.toml", 3, 1});
+    host.set("position", Vec3{1, 0.5, -2});
+    host.set("friction", 0.3, {});
+    REQUIRE(module.attach(host));
+    const Surface& surface = surface_of(host);
+    CHECK(surface.size() == 4);
+    CHECK(surface.grip(1).friction == 0.3);
+    CHECK(surface.polygons()[0] == surface.polygons()[1]);
+    for (const double x : {-0.9, 0.2, 2.7})
+        for (const double z : {-3.8, -2.0, -0.1}) {
+            CAPTURE(x, z);
+            const SurfaceHit down = surface.first_hit({{x, 3, z}, {0, -2, 0}});
+            REQUIRE(down.answer == Answer::found);
+            CHECK(std::abs(down.distance - 1.25) < 1e-15);
+            CHECK(surface.normal(down.at.face) == Vec3{0, 1, 0});
+            CHECK(distance(surface.position(surface.closest_point({x, -0.5, z}, 1).at), {x, 0.5, z}) < 1e-15);
+            const Underfoot under = surface.underfoot({{x, 0.6, z}, {0, 1, 0}, {1, 0, 0}});
+            REQUIRE(under.hit.answer == Answer::found);
+            CHECK(distance(surface.position(under.hit.at), {x, 0.5, z}) < 1e-15);
+            CHECK(surface.underfoot({{x, 0.6, z}, {0, 1, 0}, {1, 0, 0}, 0, 1, 0.05}).hit.answer ==
+                  Answer::nothing);
+        }
+    CHECK(surface.first_hit({{3.1, 3, 0}, {0, -1, 0}}).answer == Answer::nothing);
+    CHECK(surface.first_hit({{0, 3, 0}, {0, 0, 0}}).answer == Answer::refused);
+    CHECK(surface.closest_point({3.5, 0.5, -2}, 0.4).answer == Answer::nothing);
+    CHECK(surface.closest_point({3.5, 0.5, -2}, 0.6).distance == Approx(0.5));
+    // Beyond the rim the scan or the nearest point finds the way back.
+    const Underfoot beyond = surface.underfoot({{3.01, 0.6, -2}, {0, 1, 0}, {1, 0, 0}});
+    REQUIRE(beyond.hit.answer == Answer::found);
+    CHECK(distance(surface.position(beyond.hit.at), {3, 0.5, -2}) < 0.1);
+    SurfaceStep at = surface.place({0, {0.4, 0.3, 0.3}}, {0, 1, 0}, {1, 0, 0.1});
+    at = surface.stride(at.end, 100, {}).step;
+    CHECK(at.stop == StepStop::border);
+    CHECK(at.end.position.x == Approx(3));
+    REQUIRE(module.run());
+    CHECK(measure(module, "tree") == "none: so few triangles need none");
+}
+
+TEST_CASE("each shape of our own is one of the manifest's choices, and is made as large as asked", "[unit]") {
+    const Manifest manifest = *[] {
+        Diagnostics faults;
+        return read_manifest(std::string(ORBWEAVER_MODULE_DIR) + "/surface.toml", faults);
+    }();
+    const auto option = std::find_if(manifest.options.begin(), manifest.options.end(),
+                                     [](const OptionSpec& spec) { return spec.key == "shape"; });
+    REQUIRE(option != manifest.options.end());
+    REQUIRE(option->choices.size() == mesh::shapes().size());
+    for (std::size_t i = 0; i < option->choices.size(); ++i) {
+        const std::string& name = option->choices[i];
+        CAPTURE(name);
+        CHECK(name == mesh::shapes()[i].name);
+        LoadedModule module("surface");
+        FakeHost host;
+        host.set("shape", name);
+        host.set("subdivision", std::int64_t{3});
+        host.set("size", 4.0);
+        host.set("position", Vec3{});
+        REQUIRE(module.attach(host));
+        CHECK(surface_of(host).size() == Approx(4));
+    }
 }
 
 TEST_CASE("a surface is scaled and moved as the scene says, its baked tree with it", "[unit]") {
@@ -101,7 +161,9 @@ TEST_CASE("a surface is scaled and moved as the scene says, its baked tree with 
     const SurfaceHit down = surface.first_hit({{10, 40, 30}, {0, -1, 0}});
     REQUIRE(down.answer == Answer::found);
     CHECK(down.distance == Approx(17));
-    CHECK(distance(surface.closest_point({10, 10, 30}, 100).position, {10, 17, 30}) < 1e-14);
+    CHECK(distance(surface.position(down.at), {10, 23, 30}) < 1e-13);
+    CHECK(dot(surface.normal(down.at.face), {0, 1, 0}) > 0.9);
+    CHECK(distance(surface.position(surface.closest_point({10, 10, 30}, 100).at), {10, 17, 30}) < 1e-14);
     CHECK(surface.first_hit({{10, 40, 33.1}, {0, -1, 0}}).answer == Answer::nothing);
 }
 
@@ -134,9 +196,18 @@ TEST_CASE("a surface that cannot be is told at its place in the scene", "[unit]"
         CHECK_THAT(host.faults[0].what, Catch::Contains(what));
         CHECK(host.contracts.empty());
     }
-    LoadedModule module("surface");
-    FakeHost host;
-    CHECK(module.attach(host));
-    REQUIRE(host.faults.size() == 1);
-    CHECK(host.faults[0].what == "the surface has no mesh");
+    const auto what_is_wrong = [](const std::vector<std::string>& keys) {
+        LoadedModule module("surface");
+        FakeHost host;
+        for (const std::string& key : keys)
+            host.set(key, key == "mesh" ? OptionValue(std::string("cube.baked")) : OptionValue(2.0));
+        CHECK(module.attach(host));
+        REQUIRE(host.faults.size() == 1);
+        CHECK(host.contracts.empty());
+        return host.faults[0].what;
+    };
+    CHECK(what_is_wrong({}) == "the surface has no mesh, no shape and no flat floor");
+    CHECK(what_is_wrong({"mesh", "floor"}) ==
+          "the surface has more than one of a mesh, a shape and a flat floor");
+    CHECK(what_is_wrong({"floor", "size"}) == "'size' scales a mesh, and this surface is a flat floor");
 }

@@ -7,7 +7,7 @@
 #include "geodesic.hpp"
 #include "obj_mesh.hpp"
 #include "orbweaver/random.hpp"
-#include "ready_tree.hpp"
+#include "ready_parts.hpp"
 
 namespace orbweaver::surface::test {
 
@@ -16,7 +16,7 @@ struct WalkSamples {
     mesh::SurfaceMeshData data;
     mesh::SurfaceMesh mesh;
     TriangleSet set;
-    ReadyTree tree;
+    ReadyParts parts;
     double size = 0;         ///< m, of the mesh
     double height = 0;       ///< m, of the body above the surface
     double step_length = 0;  ///< m
@@ -26,7 +26,7 @@ struct WalkSamples {
     std::vector<SurfaceRay> long_rays;   ///< from outside through the middle parts of the mesh
 
     explicit WalkSamples(const std::string& path)
-        : data(built(read_obj(path))), mesh(data.view()), set(triangles_of(mesh)), tree(set) {
+        : data(built(read_obj(path))), mesh(data.view()), set(triangles_of(mesh)), parts(mesh) {
         const Vec3 extent = mesh.bounds.max - mesh.bounds.min;
         size = std::max({extent.x, extent.y, extent.z});
         height = 0.01 * size;

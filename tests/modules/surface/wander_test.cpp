@@ -1,4 +1,4 @@
-// Two million steps at random over closed surfaces.
+// Millions of steps at random over closed surfaces, and over open ones, where borders turn them back.
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -7,8 +7,8 @@
 #include "geodesic.hpp"
 #include "obj_mesh.hpp"
 #include "orbweaver/random.hpp"
+#include "ready_parts.hpp"
 #include "shapes.hpp"
-#include "wide_tree.hpp"
 
 using namespace orbweaver;
 using namespace orbweaver::surface;
@@ -105,5 +105,97 @@ TEST_CASE("a quarter of a million steps each over the closed ones among real mes
     for (const char* name : {"spot", "fandisk"}) {  // bunny, teapot and suzanne have borders
         CAPTURE(name);
         check_wander(read_obj(std::string(ORBWEAVER_MESHES "/") + name + ".obj"), 1);
+    }
+}
+
+namespace {
+
+/// Whether a place is on an edge, or at a vertex of one, beyond which there is nothing.
+bool is_at_border(const mesh::SurfaceMesh& mesh, const SurfacePoint& at) {
+    const auto is_border = [&](std::uint32_t face, std::uint32_t edge) {
+        return mesh.across[face][edge] == mesh::kBorder;
+    };
+    for (std::uint32_t edge = 0; edge < 3; ++edge)
+        if (at.weights[(edge + 2) % 3] == 0 && is_border(at.face, edge)) return true;
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+        if (at.weights[corner] != 1) continue;
+        const std::uint32_t vertex = mesh.triangles[at.face][corner];
+        for (const std::uint32_t face : mesh::ring_at(mesh, vertex))
+            for (std::uint32_t edge = 0; edge < 3; ++edge)
+                if (is_border(face, edge) && (mesh.triangles[face][edge] == vertex ||
+                                              mesh.triangles[face][mesh::next_corner(edge)] == vertex))
+                    return true;
+    }
+    return false;
+}
+
+struct OpenWander {
+    int lost = 0;
+    int borders = 0;            // steps that a border ended, and that turned back there
+    int ended_elsewhere = 0;    // ended as if by a border, where there is none
+    int turned_over = 0;        // on the other side of the surface
+    double worst_off = 0;       // of the size, from the plane of the face
+    double worst_distance = 0;  // of the size, from the nearest point of the surface; sampled
+    double worst_walked = 0;    // of the size, between what was walked and the whole step; where no border was
+};
+
+/// A walk that begins on `face` and turns back wherever the surface ends.
+void wander_open(const mesh::SurfaceMesh& mesh, const ReadyParts& parts, std::uint32_t face, int steps,
+                 OpenWander& result) {
+    const auto set = triangles_of(mesh);
+    const Vec3 extent = mesh.bounds.max - mesh.bounds.min;
+    const double size = std::max({extent.x, extent.y, extent.z});
+    const RandomStream random(face, "wander");
+    Footing at = place(mesh, {face, {0.4, 0.3, 0.3}}, face_normal(set, face),
+                       mesh.corner(face, 1) - mesh.corner(face, 0))
+                     .end;
+    for (int i = 0; i < steps; ++i) {
+        const double aside = random.uniform(2 * static_cast<std::uint64_t>(i), -1, 1);
+        const double length = 0.05 * size * random.uniform(2 * static_cast<std::uint64_t>(i) + 1);
+        const SurfaceStep turned = place(mesh, at.at, at.up, at.forward + aside * cross(at.up, at.forward));
+        const SurfaceStep end = step(mesh, turned.end, length);
+        if (turned.answer != Answer::found || end.answer != Answer::found || end.stop == StepStop::limit ||
+            !is_finite(end.end.position)) {
+            ++result.lost;
+            continue;
+        }
+        at = end.end;
+        result.turned_over += at.side != 1;
+        result.worst_off =
+            std::max(result.worst_off, std::abs(dot(at.position - mesh.corner(at.at.face, 0), at.up)) / size);
+        if (end.stop == StepStop::border) {
+            ++result.borders;
+            result.ended_elsewhere += !is_at_border(mesh, at.at) || end.walked > length;
+            at.forward = -at.forward;
+        } else {
+            result.worst_walked = std::max(result.worst_walked, std::abs(end.walked - length) / size);
+        }
+        if (i % 16 == 0)
+            result.worst_distance = std::max(
+                result.worst_distance, closest_point(*parts.tree(), set, at.position, size).distance / size);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a quarter of a million steps each over the open ones, whose borders end a step and say so",
+          "[extreme]") {
+    for (const char* name : {"stanford-bunny", "teapot", "suzanne"}) {
+        CAPTURE(name);
+        const auto data = built(read_obj(std::string(ORBWEAVER_MESHES "/") + name + ".obj"));
+        const mesh::SurfaceMesh mesh = data.view();
+        const ReadyParts parts(mesh);
+        constexpr int kSteps = 250'000, kWalks = 50;
+        OpenWander result;
+        for (std::uint32_t walk = 0; walk < kWalks; ++walk)  // so that every shell has some
+            wander_open(mesh, parts, static_cast<std::uint32_t>(walk * mesh.triangles.size() / kWalks),
+                        kSteps / kWalks, result);
+        CHECK(result.lost == 0);
+        CHECK(result.borders > 100);
+        CHECK(result.ended_elsewhere == 0);
+        CHECK(result.turned_over == 0);
+        CHECK(result.worst_off <= 1e-9);
+        CHECK(result.worst_distance <= 1e-9);
+        CHECK(result.worst_walked == 0);
     }
 }

@@ -66,6 +66,8 @@ TEST_CASE("a tree that does not fit its mesh is told in words", "[unit]") {
         {[](WideTreeData& t) { t.nodes[0].children[0] = 0; }, "node 0 of the tree has node 0 below it, of "},
         {[](WideTreeData& t) { t.nodes[0].children[0] = 9999; },
          "node 0 of the tree has node 9999 below it, of "},
+        {[](WideTreeData& t) { t.nodes[0].planes[1][0] = -INFINITY; },
+         "node 0 of the tree has a child without a box"},
         {[](WideTreeData& t) { t.nodes.back().children[0] = leaf(119, 4); },
          "a leaf of the tree ends at triangle 123 of 120"},
         {[](WideTreeData& t) { t.nodes.back().children[0] = leaf(0, 1); }, " of the tree is in "},

@@ -1,11 +1,14 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
+#include "build.hpp"
 #include "fake_host.hpp"
+#include "mesh_surface.hpp"
 #include "orbweaver/contracts/canvas.hpp"
 #include "orbweaver/contracts/input.hpp"
 #include "orbweaver/contracts/picture_source.hpp"
 #include "orbweaver/contracts/threads.hpp"
+#include "shapes.hpp"
 
 using namespace orbweaver;
 
@@ -66,6 +69,29 @@ TEST_CASE("the view draws threads over the sky, framed when no camera is given",
     CHECK(red(rgb, 64, 32, 3) > 200);  // the cross reaches nearly to the upper edge
     CHECK(red(rgb, 64, 5, 5) < 120);   // plain sky
     CHECK(stage.view.report().measures[0].first == "pictures");
+}
+
+TEST_CASE("a surface is drawn where there is one, and the camera has it in the picture", "[image]") {
+    mesh::Validation validation;
+    const auto data = mesh::build_surface_mesh(mesh::cube(6, 2), {}, "the test's cube", validation);
+    surface::MeshSurface cube(data.view(), std::nullopt, {});
+    Stage bare, stage;
+    for (Stage* each : {&bare, &stage}) each->host.set("thread.color", Vec3{1, 0, 0});
+    stage.host.set("surface.color", Vec3{1, 1, 1});
+    stage.host.set("surface.edges", 0.0);
+    stage.host.offer<Surface>(cube);
+    REQUIRE(stage.canvas.attach(stage.host));
+    REQUIRE(stage.view.attach(stage.host));
+    const auto rgb = stage.picture();
+    const auto green = [&](std::size_t x, std::size_t y) { return rgb[3 * (y * 64 + x) + 1]; };
+    CHECK(green(32, 24) > 0);               // the cube's front hides the red cross within it
+    CHECK(green(32, 24) == green(40, 30));  // in one shade
+    CHECK(green(2, 2) != green(32, 24));    // beside it is the sky
+    const std::size_t drawn = stage.view.report().memory_bytes;
+    REQUIRE(bare.canvas.attach(bare.host));
+    REQUIRE(bare.view.attach(bare.host));
+    bare.picture();
+    CHECK(drawn > bare.view.report().memory_bytes);  // no depths are kept for threads alone
 }
 
 TEST_CASE("the request's size overrides the scene's", "[unit]") {

@@ -44,6 +44,28 @@ TEST_CASE("a tolerance that the method cannot keep is a fault of the scene", "[u
           "tsit5, rkc2, tr_bdf2, or with auto; choose another method, or say its step instead");
 }
 
+TEST_CASE("damped springs that the method does not take are a fault where the scene names it", "[unit]") {
+    const auto faults_of = [](const std::string& table, double damping) {
+        mass_spring::Network network;
+        network.mass = {1, 1};
+        network.fixed = {0, 0};
+        network.springs = {{0, 1, 1, 1, damping}};
+        Diagnostics faults;
+        const Options options = options_of(table);
+        check_damping(options, read_motion(options, faults), network, faults);
+        return faults;
+    };
+    const Diagnostics faults = faults_of("drag = 0\nmethod = \"srkn6\"\n", 1e-6);
+    REQUIRE(faults.size() == 1);
+    CHECK(to_string(faults.front()) ==
+          "scene.toml:2:10: springs are damped, which method srkn6 does not take; expected springs without "
+          "damping, or another method, as tsit5; set their damping to 0 and let drag damp, or choose another "
+          "method");
+    CHECK(faults_of("method = \"srkn6\"\n", 0).empty());
+    CHECK(faults_of("method = \"tsit5\"\n", 1e-6).empty());
+    CHECK(faults_of("method = \"auto\"\ntolerance = 1e-4\n", 1e-6).empty());
+}
+
 TEST_CASE("an automatic choice has one goal", "[unit]") {
     Diagnostics faults;
     const Motion accurate = read_motion(options_of("method = \"auto\"\ntolerance = \"0.1 mm\"\n"), faults);

@@ -23,11 +23,12 @@ struct Scene {
 
 }  // namespace
 
-TEST_CASE("the study's help tells both kinds, every option and what is left", "[scene]") {
+TEST_CASE("the study's help tells every kind, every option and what is left", "[scene]") {
     const Outcome outcome = run_program({"study", "--help"});
     CHECK(outcome.code == 0);
     for (const char* word : {"accuracy",
                              "stability",
+                             "queries",
                              "SCENE",
                              "--out",
                              "--method",
@@ -44,6 +45,7 @@ TEST_CASE("the study's help tells both kinds, every option and what is left", "[
                              "accuracy.csv",
                              "accuracy_statistics.csv",
                              "stability.csv",
+                             "queries.csv",
                              "method,step_s,tolerance,error_m,wall_s,steps,outcome",
                              "index.html"}) {
         CAPTURE(word);
@@ -86,7 +88,7 @@ TEST_CASE("a study that was asked for wrongly ends with code 2 and says why", "[
         {{"study", "accuracy", scene.path}, "--out is required"},
         {scene.study("accuracy", {"--out", ""}), "'' is not a folder; name one"},
         {scene.study("accuracy", {"--axis", "a.b=1..2:3"}), "only stability has axes"},
-        {scene.study("stability", {"--repeats", "2"}), "only accuracy is timed"},
+        {scene.study("stability", {"--repeats", "2"}), "a map is not timed"},
         {scene.study("stability", {"--axis", "a.b"}), "'a.b' is not an axis; expected PATH=LOW..HIGH:COUNT"},
         {scene.study("stability", {"--axis", "a.b=2..1:3"}), "with LOW below HIGH"},
         {scene.study("stability", {"--axis", "a.b=1..2:0"}), "a COUNT of 2 to 200"},
@@ -98,6 +100,8 @@ TEST_CASE("a study that was asked for wrongly ends with code 2 and says why", "[
          "'a.b' is named twice; name two options"},
         {scene.study("stability", {"--axis", "a.b=1..2:3", "--axis", "a.c=1..4:3", "--axis", "a.d=1..4:3"}),
          "a map has two"},
+        {scene.study("queries", {"--axis", "a.b=1..2:3"}), "only stability has axes"},
+        {scene.study("queries", {"--references", "rk4,verlet"}), "queries are held against every triangle"},
         {scene.study("accuracy", {"--time", "0"}), "'0' is not a time above 0"},
         {scene.study("accuracy", {"--time", "3 m"}), "'3 m' is not a time above 0"},
         {scene.study("accuracy", {"--repeats", "0"}), "--repeats"},

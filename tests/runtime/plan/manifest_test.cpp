@@ -41,6 +41,7 @@ default = 50
 above = 0
 below = 180
 meaning = "angle of view"
+plan = "seen at an angle"
 [options.size]
 type = "numbers"
 length = 2
@@ -71,6 +72,7 @@ meaning = "pixels"
     CHECK(fov.type == OptionType::number);
     CHECK(fov.unit == "deg");
     CHECK(fov.meaning == "angle of view");
+    CHECK(fov.plan == "seen at an angle");
     CHECK(range_text(fov) == "above 0 and below 180");
     const OptionSpec& size = manifest->options[1];
     CHECK(size.length == 2);
@@ -127,6 +129,11 @@ TEST_CASE("a manifest that is wrong says where and how", "[extreme]") {
          "[options.y]\ntype = \"file\"\nasset = \"song\"\nmeaning = \"m\"\n",
          {"m.toml:3:1: option 'x' has the asset 'mesh'; expected \"mesh\", of an option of type file",
           "m.toml:7:1: option 'y' has the asset 'song'; expected \"mesh\", of an option of type file"}},
+        {"default of a name of the scene's",
+         "id = \"a\"\nversion = \"1\"\n[options.\"m.*.x\"]\ntype = \"number\"\ndefault = 1\nmeaning = \"m\"\n",
+         {"m.toml:3:1: option 'm.*.x' has a default or is required; expected neither, of an option whose name "
+          "the "
+          "scene gives"}},
         {"not TOML",
          "id = ",
          {"m.toml:1:6: Error while parsing key-value pair: encountered end-of-file; expected TOML"}},

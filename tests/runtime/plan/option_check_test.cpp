@@ -83,6 +83,13 @@ type = "number"
 unit = "m"
 default = 1
 meaning = "m"
+[options."material.*.friction"]
+type = "number"
+max = 10
+meaning = "m"
+[options."material.*.climbable"]
+type = "boolean"
+meaning = "m"
 )";
 
 const Manifest& manifest() {
@@ -196,7 +203,7 @@ TEST_CASE("a value that is wrong is named with its place and what would be right
         {"drga = 1",
          "1:1: there is no option 'drga'; expected one of flag, count, drag, ratio, angle, name, mode, place, "
          "anchors, "
-         "size, weights, network, species or camera; did you mean 'drag'?"},
+         "size, weights, network, species, camera or material; did you mean 'drag'?"},
         {"camera.fow = 1",
          "1:8: there is no option 'camera.fow'; expected one of fov or lens; did you mean 'camera.fov'?"},
         {"camera = 1", "1:10: 'camera' is 1; expected a table"},
@@ -241,6 +248,17 @@ TEST_CASE("a preset is found by name in the first folder that has it, or by path
     const AssetPaths paths{folder.path(), {folder.path("one"), folder.path("two")}};
     CHECK(Checked("species = \"a\"\n", paths).options.integer("count") == 3);
     CHECK(Checked("species = \"mine.toml\"\n", paths).options.integer("count") == 5);
+}
+
+TEST_CASE("a preset that several folders have is offered once", "[unit]") {
+    const Folder folder;
+    folder.write("one/species/a.toml", "count = 3\n");
+    folder.write("two/species/a.toml", "count = 4\n");
+    folder.write("two/species/c.toml", "count = 4\n");
+    const AssetPaths paths{folder.path(), {folder.path("one"), folder.path("two")}};
+    const Diagnostics faults = Checked("species = \"b\"\n", paths).faults;
+    REQUIRE(faults.size() == 1);
+    CHECK_THAT(to_string(faults[0]), Catch::Contains("expected a or c, or a path ending in .toml"));
 }
 
 TEST_CASE("a preset that is wrong is a fault of its own file", "[extreme]") {
@@ -289,4 +307,26 @@ TEST_CASE("a value from the command line is at fault under its own name", "[unit
     CHECK(sentences(faults) ==
           std::vector<std::string>{
               "--set all.count: 'count' is 9; expected an integer at least 1 and at most 5"});
+}
+
+TEST_CASE("an option may lie in tables that the scene names as it likes", "[unit]") {
+    const Checked checked(
+        "[material.glass]\nfriction = 0.1\nclimbable = false\n[material.\"Rough.001\"]\nfriction = 2\n");
+    CHECK(checked.faults.empty());
+    CHECK(checked.options.names_in("material") == std::vector<std::string>{"Rough.001", "glass"});
+    CHECK(checked.options.number("material.glass.friction") == 0.1);
+    CHECK_FALSE(checked.options.flag("material.glass.climbable"));
+    CHECK(checked.options.number("material.Rough.001.friction") == 2);
+    CHECK_FALSE(checked.options.has("material.Rough.001.climbable"));
+    CHECK(Checked("").options.names_in("material").empty());
+
+    const Checked wrong("[material.glass]\nfriction = 11\nfrictoin = 1\n[material]\nice = 3\n");
+    REQUIRE(wrong.faults.size() == 3);
+    CHECK(to_string(wrong.faults[0]) ==
+          "s.toml:2:12: 'material.glass.friction' is 11; expected a number, at most 10");
+    CHECK(
+        to_string(wrong.faults[1]) ==
+        "s.toml:3:1: there is no option 'material.glass.frictoin'; expected one of friction or climbable; did "
+        "you mean 'material.glass.friction'?");
+    CHECK(to_string(wrong.faults[2]) == "s.toml:5:7: 'material.ice' is 3; expected a table");
 }

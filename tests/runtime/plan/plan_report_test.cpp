@@ -31,7 +31,8 @@ TEST_CASE("the plan for a program says everything that the plan holds", "[unit]"
                                                 {"reason", "the scene has [web], number 2"},
                                                 {"library", folder.path() + "/web.so"},
                                                 {"brings", {"Eigen"}},
-                                                {"phases", {"sense", "derive"}}}));
+                                                {"phases", {"sense", "derive"}},
+                                                {"notes", nlohmann::json::array()}}));
     CHECK(json["left_out"] == nlohmann::json::array({{{"module", "window"},
                                                       {"reason", "nobody asked for a window (--window)"},
                                                       {"would_bring", {"SDL2", "GL"}}}}));
@@ -66,4 +67,20 @@ TEST_CASE("the plan for a person reads line by line", "[unit]") {
                    Catch::EndsWith(
                        "\n1 fault, so this plan cannot be run:\n  scene.toml:2:1: there is no option 'sed'; "
                        "expected one of name, duration, step, seed or gravity; did you mean 'seed'?\n"));
+}
+
+TEST_CASE("a module's manifest may add to the plan what an option of the scene comes to", "[unit]") {
+    const ManifestFolder folder;
+    folder.add("surface",
+               "table = \"surface\"\n[options.floor]\ntype = \"number\"\nunit = \"m\"\nmeaning = \"edge\"\n"
+               "plan = \"a flat floor: no tree is built\"\n"
+               "[options.size]\ntype = \"number\"\nunit = \"m\"\ndefault = 1\nmeaning = \"extent\"\n"
+               "plan = \"scaled\"");
+    const Planned floor(folder.catalog(), "[surface]\nfloor = \"4 m\"\n");
+    CHECK_THAT(plan_text(floor.plan), Catch::Contains("  surface          the scene has [surface]\n"
+                                                      "                   a flat floor: no tree is built\n\n"));
+    const auto json = nlohmann::json::parse(plan_json(floor.plan));
+    CHECK(json["modules"][0]["notes"] == nlohmann::json({"a flat floor: no tree is built"}));
+    const Planned bare(folder.catalog(), "[surface]\n");
+    CHECK_THAT(plan_text(bare.plan), !Catch::Contains("floor") && !Catch::Contains("scaled"));
 }

@@ -212,3 +212,18 @@ TEST_CASE("more pictures a second than frames are a fault of the plan", "[unit]"
           Texts{"--fps: 60.5 pictures a second of 60 frames a second; expected at most 60; leave it "
                 "out, or make --step smaller"});
 }
+
+TEST_CASE("what the request collects brings its providers, those that have what they need", "[unit]") {
+    ManifestFolder folder;
+    folder.add("surface", "table = \"surface\"\nprovides = [\"surface/1\", \"ways/1\"]");
+    folder.add("clearance", "provides = [\"clearance/1\", \"ways/1\"]\nneeds = [\"surface/1\"]");
+    folder.add("other", "provides = [\"ways/2\"]");
+    Request request;
+    request.collects = {"ways/1"};
+    const Planned planned(folder.catalog(), "[surface]\n", request);
+    CHECK(planned.faults() == Texts{});
+    CHECK(planned.loaded() ==
+          Texts{"surface: the scene has [surface]", "clearance: ways/1 is asked of all that provide it"});
+    CHECK(Planned(folder.catalog(), "[surface]\n").loaded() == Texts{"surface: the scene has [surface]"});
+    CHECK(Planned(folder.catalog(), "[scene]\n", request).loaded() == Texts{});
+}

@@ -43,7 +43,8 @@ TEST_CASE("a manifest says how its module can be studied", "[unit]") {
     Diagnostics faults;
     const auto manifest = parse_manifest(kOptions + kNames +
                                              "tolerance = \"tolerance\"\nsteps = [\"one\", \"two\"]\n"
-                                             "tolerances = [\"three\"]\nreferences = [\"three\", \"one\"]\n",
+                                             "tolerances = [\"three\"]\nreferences = [\"three\", \"one\"]\n"
+                                             "numerics = [\"step\"]\nautomatic = [\"tolerance\"]\n",
                                          "m.toml", faults);
     REQUIRE(manifest);
     REQUIRE(manifest->study);
@@ -52,6 +53,8 @@ TEST_CASE("a manifest says how its module can be studied", "[unit]") {
     CHECK(manifest->study->tolerance == "tolerance");
     CHECK(manifest->study->on_unstable == "on_unstable");
     CHECK(manifest->study->axis == "step");
+    CHECK(manifest->study->numerics == std::vector<std::string>{"step"});
+    CHECK(manifest->study->automatic == std::vector<std::string>{"tolerance"});
     CHECK(manifest->study->steps == std::vector<std::string>{"one", "two"});
     CHECK(manifest->study->tolerances == std::vector<std::string>{"three"});
     CHECK(manifest->study->references == std::vector<std::string>{"three", "one"});
@@ -75,6 +78,8 @@ TEST_CASE("a study that its module cannot keep is a fault of the manifest", "[ex
     CHECK(faults_of(kNames + good + "tolerances = [\"three\"]\n") ==
           std::vector<std::string>{
               "m.toml:17:1: study.tolerance is \"\"; expected the name of an option of type number"});
+    CHECK(faults_of(kNames + good + "numerics = [\"solver\"]\n") ==
+          std::vector<std::string>{"m.toml:17:1: study.numerics names \"solver\"; expected names of options"});
     CHECK(faults_of(kNames + good + "color = 3\n").size() == 1);
 }
 

@@ -155,5 +155,5 @@ TEST_CASE("a method that does not take the scene is refused with its reason, and
     CHECK(result.sentences.back() ==
           "explicit: refused down to its finest rung: module 'oscillator' failed while attaching: explicit "
           "takes no "
-          "bystander beyond 100 m");
+          "bystander beyond 100 m, and not 200 m");
 }

@@ -85,6 +85,7 @@ TEST_CASE("how a scene is integrated is none of its physics", "[unit]") {
     CHECK(axes.step_axis == -1);
     CHECK(axes.physics(0).empty());
     CHECK(axes.step_of(0) == 0);
+    CHECK(chosen(scene, {"oscillator.delay=0,1e-3", "oscillator.tolerance=1e-6,1e-5"}).physics(3).empty());
 }
 
 TEST_CASE("a labelled axis knows which label is the scene's own", "[unit]") {
@@ -109,6 +110,7 @@ TEST_CASE("axes that cannot be mapped are refused in words", "[extreme]") {
         {{"scene.duration=1..2:3"}, "--axis scene.duration: it has no effect"},
         {{"scene.name=a,b"}, "--axis scene.name: it has no effect"},
         {{"oscillator.method=rk4,verlet"}, "--axis oscillator.method: every method has a map of its own"},
+        {{"oscillator.budget=1..2 ms:2"}, "--axis oscillator.budget: it has no effect"},
         {{"oscillator.step=1..9 ms:3", "scene.step=1..9 ms:3"},
          "--axis oscillator.step: steps are taken as asked"},
         {{"oscillator.on_unstable=stop,start"},

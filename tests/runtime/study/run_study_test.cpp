@@ -1,6 +1,7 @@
 #include "study/run_study.hpp"
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 
 #include "support/opened_scene.hpp"
 #include "support/study.hpp"
@@ -25,4 +26,10 @@ TEST_CASE("a study that fails leaves nothing", "[extreme]") {
     scene.settings.time = 1e-6;
     CHECK(kind_of_fault([&] { run_accuracy(scene.settings); }) == FaultKind::limit);
     CHECK(Folder::names_in(scene.settings.out).empty());
+}
+
+TEST_CASE("a scene without a surface has no queries to study", "[extreme]") {
+    OscillatorScene scene;
+    CHECK(kind_of_fault([&] { run_queries(scene.settings); }) == FaultKind::invalid);
+    CHECK_FALSE(std::filesystem::exists(scene.settings.out));
 }

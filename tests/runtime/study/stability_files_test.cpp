@@ -22,7 +22,8 @@ StabilityResult sample() {
                     {CellClass::stable, CellClass::degraded, CellClass::diverged, CellClass::stable,
                      CellClass::refused, CellClass::unknown},
                     {0.0015, std::numeric_limits<double>::infinity()},
-                    0.002}};
+                    0.002,
+                    {"", "", "", "", "too long, by half", ""}}};
     result.sentences = {"rk4: 2 stable"};
     return result;
 }
@@ -37,9 +38,9 @@ StabilityResult labelled() {
 
 TEST_CASE("the CSV names its axes by the options' paths and has a row a cell", "[unit]") {
     CHECK(stability_csv(sample()) ==
-          "method,web.step,web.drag,class\n"
-          "rk4,0.001,0,stable\nrk4,0.002,0,degraded\nrk4,0.004,0,diverged\n"
-          "rk4,0.001,1,stable\nrk4,0.002,1,refused\nrk4,0.004,1,unknown\n");
+          "method,web.step,web.drag,class,reason\n"
+          "rk4,0.001,0,stable,\nrk4,0.002,0,degraded,\nrk4,0.004,0,diverged,\n"
+          "rk4,0.001,1,stable,\nrk4,0.002,1,refused,\"too long, by half\"\nrk4,0.004,1,unknown,\n");
 }
 
 TEST_CASE("the JSON has axes, classes and advice", "[unit]") {
@@ -48,6 +49,8 @@ TEST_CASE("the JSON has axes, classes and advice", "[unit]") {
     CHECK(json["axes"][0]["scene"].is_null());
     CHECK(json["axes"][1]["scene"] == 0.5);
     CHECK(json["maps"][0]["classes"][1] == "degraded");
+    CHECK(json["maps"][0]["reasons"][1] == "");
+    CHECK(json["maps"][0]["reasons"][4] == "too long, by half");
     CHECK(json["maps"][0]["advised_step_s"][0] == 0.0015);
     CHECK(json["maps"][0]["advised_step_s"][1].is_null());
     CHECK(json["maps"][0]["scene_step_s"] == 0.002);
@@ -55,8 +58,8 @@ TEST_CASE("the JSON has axes, classes and advice", "[unit]") {
 }
 
 TEST_CASE("labels are quoted in the CSV where they hold a comma, and values in the JSON", "[unit]") {
-    CHECK_THAT(stability_csv(labelled()), Catch::Contains("rk4,0.001,\"[0,-1,0]\",stable\n") &&
-                                              Catch::Contains("rk4,0.004,calm,unknown\n"));
+    CHECK_THAT(stability_csv(labelled()), Catch::Contains("rk4,0.001,\"[0,-1,0]\",stable,\n") &&
+                                              Catch::Contains("rk4,0.004,calm,unknown,\n"));
     const auto json = nlohmann::json::parse(stability_json(labelled()));
     CHECK(json["axes"][1]["values"] == nlohmann::json::parse("[[0, -1, 0], \"calm\"]"));
     CHECK(json["axes"][1]["scene"] == "calm");
@@ -87,6 +90,7 @@ TEST_CASE("advice that leaves the map is cut off at its edge", "[unit]") {
     StabilityResult result = sample();
     result.axes.y = {"web.drag", "web", "drag", "N s/m", {1, 10, 100}, {}, true, 10.0};
     result.maps[0].cells.assign(9, CellClass::stable);
+    result.maps[0].reasons.assign(9, "");
     // The step's axis ends at 0.707 ms: below it the line was drawn along the edge.
     result.maps[0].advised_s = {0.001, 1e-5, 1e-7};
     const std::string svg = stability_svg(result);

@@ -90,6 +90,30 @@ TEST_CASE("what is done about unstable steps is an axis, and compared with the s
                                                          CellClass::stable, CellClass::stable});
     for (const double advised : result.maps[0].advised_s) CHECK(advised == Approx(0.002));
     CHECK(result.axes.y.own == 2);
+    CHECK(result.maps[0].reasons[1] == "module 'oscillator' failed while attaching: the step is too long");
+    CHECK(result.maps[0].reasons[3].empty());
+}
+
+TEST_CASE("why cells were refused is said once, whatever the numbers in it", "[unit]") {
+    OscillatorScene scene("bystander = 101\nmethod = \"verlet\"");
+    scene.settings.methods = {"explicit"};
+    const StabilityResult result =
+        studied(scene, {"oscillator.step=1 ms,2 ms", "oscillator.bystander=50,150,200"});
+    CHECK(result.sentences ==
+          std::vector<std::string>{"explicit: 2 stable, 4 refused of 6 cells",
+                                   "explicit: refused in 4 cells, as at oscillator.step=0.001 and "
+                                   "oscillator.bystander=150: module 'oscillator' failed while attaching: "
+                                   "explicit takes no bystander beyond 100 m, and not 150 m"});
+}
+
+TEST_CASE("a scene that leaves its method open by a budget has maps as any other", "[unit]") {
+    OscillatorScene in_file("budget = \"1 ms\""), on_line;
+    on_line.settings.run.overrides.emplace_back("oscillator.budget=1e-3");
+    for (OscillatorScene* scene : {&in_file, &on_line}) {
+        scene->settings.methods = {"verlet"};
+        const StabilityResult result = studied(*scene, {"oscillator.step=1 ms,2 ms", "oscillator.omega=10,20"});
+        for (const CellClass kind : result.maps[0].cells) CHECK(kind == CellClass::stable);
+    }
 }
 
 TEST_CASE("tolerances are mapped for the methods that have one", "[unit]") {

@@ -86,7 +86,9 @@ TEST_CASE("baked files of earlier versions are refused in words", "[unit]") {
     const std::vector<std::pair<std::string, std::string>> cases = {
         {"cube_container_0.baked",
          "is a baked file of version 0; expected 1, so bake it again with orbweaver-assets"},
-        {"cube_mesh_0.baked", "holds a mesh of version 0; expected 1, so bake it again with orbweaver-assets"},
+        {"cube_mesh_0.baked", "holds a mesh of version 0; expected 3, so bake it again with orbweaver-assets"},
+        {"cube_mesh_1.baked", "holds a mesh of version 1; expected 3, so bake it again with orbweaver-assets"},
+        {"cube_mesh_2.baked", "holds a mesh of version 2; expected 3, so bake it again with orbweaver-assets"},
         {"cube_other_byte_order.baked",
          "was baked on a machine of the other byte order; bake it again on this one"}};
     for (const auto& [name, sentence] : cases) {
@@ -94,5 +96,5 @@ TEST_CASE("baked files of earlier versions are refused in words", "[unit]") {
         CHECK(outcome.code == 3);
         CHECK(outcome.err == "error: " + kept + name + ": " + sentence + "\n");
     }
-    CHECK(run_assets({"verify", kept + "cube_mesh_1.baked"}).out == kept + "cube_mesh_1.baked: sound\n");
+    CHECK(run_assets({"verify", kept + "cube_mesh_3.baked"}).out == kept + "cube_mesh_3.baked: sound\n");
 }

@@ -5,6 +5,9 @@
 
 #include "bake_mesh.hpp"
 #include "mesh_file.hpp"
+#include "obj.hpp"
+#include "output/atomic_file.hpp"
+#include "shapes.hpp"
 #include "support/folder.hpp"
 
 using namespace orbweaver;
@@ -27,7 +30,7 @@ TEST_CASE("a program reads what a mesh holds and what was found in it", "[unit]"
     const test::Folder folder;
     const auto json = nlohmann::json::parse(mesh_json(bake_sample(folder)));
     CHECK(json["kind"] == "mesh");
-    CHECK(json["version"] == 1);
+    CHECK(json["version"] == mesh::kMeshVersion);
     CHECK(json["source_hash"].get<std::string>().size() == 32);
     CHECK(json["triangles"] == 3);
     CHECK(json["polygons"] == 2);
@@ -35,6 +38,7 @@ TEST_CASE("a program reads what a mesh holds and what was found in it", "[unit]"
     CHECK(json["edges"] == 7);
     CHECK(json["border_edges"] == 5);
     CHECK(json["nonmanifold_edges"] == 0);
+    CHECK(json["t_junctions"] == 0);
     CHECK(json["shells"] == 1);
     CHECK(json["dropped_degenerate"] == 1);
     CHECK(json["dropped_duplicate"] == 1);
@@ -56,4 +60,15 @@ TEST_CASE("a person reads the same", "[unit]") {
         INFO(text);
         CHECK(text.find(line) != std::string::npos);
     }
+}
+
+TEST_CASE("T-junctions that survive the import are told, with the first", "[unit]") {
+    const test::Folder folder;
+    AtomicFile source(folder.path("t.obj"));
+    source.write(obj_text(mesh::t_junction(2, 4)));
+    source.commit();
+    bake_mesh(folder.path("t.obj"), {}, {}, folder.path("t.baked"));
+    const BakedFile baked(folder.path("t.baked"), mesh::kMeshType, mesh::kMeshVersion);
+    CHECK(nlohmann::json::parse(mesh_json(baked))["t_junctions"] == 4);
+    CHECK_THAT(mesh_text(baked), Catch::Contains("  T-junctions           4 (first: vertex "));
 }

@@ -16,7 +16,7 @@ enum class Answer : std::uint8_t {
     found,
     nothing,  ///< within the reach there is no surface
     refused,  ///< the question means nothing: not finite, no direction, no such face, a reach below 0
-    failed,   ///< no memory for what the answer needs; the surface stops the run with a sentence
+    failed,   ///< no memory for what the answer needs; who was asked stops the run with a sentence
 };
 
 /// From `origin` (m) along `direction` (any length but 0). Distances along it are multiples of the
@@ -33,12 +33,11 @@ struct SurfacePoint {
     std::array<double, 3> weights{};
 };
 
+/// What a query found; Surface::position and Surface::normal tell the rest to who wants it.
 struct SurfaceHit {
     Answer answer = Answer::nothing;
     SurfacePoint at;      ///< both faces of a triangle are hit
     double distance = 0;  ///< along a ray in its direction's lengths; else m
-    Vec3 position;        ///< m, on the face
-    Vec3 normal;          ///< unit, of the face's winding (counter-clockwise from where it points)
 };
 
 /// A body that wants to know the polygon under it.
@@ -99,23 +98,6 @@ struct SurfaceStride {
     std::uint32_t corners = 0;  ///< met; the first of them are in the span that was given
 };
 
-/// A rounded or boxed body, for keeping clear of the surface and of other bodies.
-struct ProbeBody {
-    enum class Shape : std::uint8_t { sphere, capsule, box } shape = Shape::sphere;
-    Vec3 center;  ///< m
-    std::array<Vec3, 3> axes = {
-        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< unit, right-handed; a capsule's is the last
-    Vec3 size;  ///< m; sphere: radius in x; capsule: radius in x, length between its ends' centers in z; box:
-                ///< edges
-};
-
-struct Clearance {
-    Answer answer = Answer::nothing;
-    double distance = 0;  ///< m; 0 when they touch or overlap
-    Vec3 on_body;         ///< m, nearest point of the body; only when distance > 0
-    Vec3 on_other;        ///< m, nearest point of the surface or of the other body; only when distance > 0
-};
-
 /// What one face is to walk on.
 struct SurfaceGrip {
     double friction = 0;    ///< coefficient, 1
@@ -134,6 +116,10 @@ public:
     virtual std::span<const std::uint32_t> polygons() const noexcept = 0;
     virtual double size() const noexcept = 0;  ///< m, largest extent of the bounds
     virtual SurfaceGrip grip(std::uint32_t face) const noexcept = 0;
+    /// m, where a place on one of the faces is.
+    virtual Vec3 position(const SurfacePoint& at) const noexcept = 0;
+    /// Unit, of the winding of one of the faces (counter-clockwise from where it points).
+    virtual Vec3 normal(std::uint32_t face) const noexcept = 0;
 
     /// The nearest crossing of ray and surface.
     virtual SurfaceHit first_hit(const SurfaceRay& ray) const noexcept = 0;
@@ -150,11 +136,6 @@ public:
     /// As step(), and on to whatever other shell of the surface stands in the way; tells of the corners met.
     virtual SurfaceStride stride(const Footing& from, double length,
                                  std::span<StrideCorner> corners) const noexcept = 0;
-
-    /// How far a body is from the surface, if within `reach` (m).
-    virtual Clearance clearance(const ProbeBody& body, double reach) const noexcept = 0;
-    /// How far two bodies are from each other.
-    virtual Clearance clearance(const ProbeBody& body, const ProbeBody& other) const noexcept = 0;
 
 protected:
     ~Surface() = default;

@@ -9,11 +9,14 @@
 // Without FMA: a fused multiply-add rounds once where two instructions round twice, and the bits would
 // depend on the machine.
 #define ORBWEAVER_AVX2 __attribute__((target("avx2")))
+// For what no result rests on, as the boxes that a ray may meet: fused where it says so itself.
+#define ORBWEAVER_AVX2_FMA __attribute__((target("avx2,fma")))
 #else
 #define ORBWEAVER_AVX2
+#define ORBWEAVER_AVX2_FMA
 #endif
 
-namespace orbweaver::mass_spring {
+namespace orbweaver {
 
 /// Whether more may be used than any processor of its kind has: unless the environment held ORBWEAVER_PLAIN
 /// when it was first asked. The bits are the same; who doubts it can compare.
@@ -22,6 +25,14 @@ bool wide_vectors_allowed() noexcept;
 inline bool has_avx2() noexcept {
 #if defined(__x86_64__)
     return __builtin_cpu_supports("avx2") != 0 && wide_vectors_allowed();
+#else
+    return false;
+#endif
+}
+
+inline bool has_avx2_and_fma() noexcept {
+#if defined(__x86_64__)
+    return has_avx2() && __builtin_cpu_supports("fma") != 0;
 #else
     return false;
 #endif
@@ -39,4 +50,4 @@ auto run_wide(const Body& body) {
     return has_avx2() ? run_avx2(body) : body();
 }
 
-}  // namespace orbweaver::mass_spring
+}  // namespace orbweaver

@@ -69,7 +69,7 @@ struct Traversal {
         const auto& node = boxes.getBV(index);
         if (node.isLeaf()) {
             const auto face = static_cast<std::uint32_t>(node.primitiveId());
-            nearest.try_face(ray, set.vertices, set.triangles[face], face);
+            nearest.try_face(ray, FarCorners(set.vertices.data(), set.triangles[face]), face);
             return;
         }
         int first = node.leftChild();
@@ -104,7 +104,7 @@ SurfaceHit FclTree::first_hit(const SurfaceRay& ray) const noexcept {
     Traversal traversal{model_->boxes, set_, SlabRay(ray, root), WatertightRay(ray),
                         NearestCrossing(ray.reach)};
     if (std::isfinite(traversal.slabs.entry(root, ray.reach))) traversal.visit(0);
-    return traversal.nearest.hit(set_);
+    return traversal.nearest.hit();
 }
 
 std::size_t FclTree::memory_bytes() const noexcept { return model_bytes(model_->boxes); }

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "orbweaver/contracts/surface.hpp"
+#include "orbweaver/contracts/clearance.hpp"
 #include "wide_tree.hpp"
 
 namespace orbweaver::surface {
@@ -17,7 +17,7 @@ public:
     FclClearance(const FclClearance&) = delete;
     FclClearance& operator=(const FclClearance&) = delete;
 
-    /// See Surface::clearance.
+    /// See Clearances::clearance.
     Clearance clearance(const ProbeBody& body, double reach) const noexcept;
 
     std::size_t memory_bytes() const noexcept;
