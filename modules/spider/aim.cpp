@@ -42,7 +42,12 @@ constexpr std::array<Start, 6> kStarts{{
 
 }  // namespace
 
-void face(const Leg& leg, const Vec3& target, LegPose& pose) noexcept {
+Vec3 leg_lengths(const Leg& leg, const Vec3& position) noexcept {
+    const Triple<double> at = aim_at(leg, Triple<double>{position.x, position.y, position.z}).at;
+    return {at.x, at.y, at.z};
+}
+
+void face(const Leg& leg, const Vec3& target, LegPose& pose, bool limited) noexcept {
     // The target as seen by a plane turned by yaw has to lie on z = y tan(tilt), on the foot's side of the
     // root.
     const Rotor<double> tilt = rotor(pose[kTilt]);
@@ -53,12 +58,12 @@ void face(const Leg& leg, const Vec3& target, LegPose& pose) noexcept {
     const double wanted = side * target.y * tilt.s / (tilt.c * level);
     const double s = clamp(wanted, -1.0, 1.0);
     const double turn = into_turn(heading + angle_of(sqrt(1 - s * s), s));
-    pose[kYaw] = clamp(turn, leg.min[kYaw], leg.max[kYaw]);
+    pose[kYaw] = limited ? clamp(turn, leg.min[kYaw], leg.max[kYaw]) : turn;
     if (pose[kYaw] == turn && s == wanted) return;
     const Rotor<double> yaw = rotor(pose[kYaw]);
     const double across = yaw.s * target.x + yaw.c * target.z;
     const double angle = target.y < 0 ? angle_of(-target.y, -across) : angle_of(target.y, across);
-    pose[kTilt] = clamp(angle, leg.min[kTilt], leg.max[kTilt]);
+    pose[kTilt] = limited ? clamp(angle, leg.min[kTilt], leg.max[kTilt]) : angle;
 }
 
 LegPose start_pose(const Leg& leg, const Vec3& target, int start) noexcept {

@@ -18,8 +18,7 @@ template <class Real>
 ORBWEAVER_INLINE Aim<Real> aim_at(const Chain<Real>& leg, const Triple<Real>& position) noexcept {
     const Real zero{};
     Aim<Real> aim;
-    aim.finite = (position.x - position.x == zero) & (position.y - position.y == zero) &
-                 (position.z - position.z == zero);
+    aim.finite = 0 * position.x + 0 * position.y + 0 * position.z == zero;
     const Triple<Real> safe{select(aim.finite, position.x, zero), select(aim.finite, position.y, zero),
                             select(aim.finite, position.z, zero)};
     const Real largest =
@@ -33,9 +32,13 @@ ORBWEAVER_INLINE Aim<Real> aim_at(const Chain<Real>& leg, const Triple<Real>& po
     return aim;
 }
 
+/// Of a finite position in m.
+Vec3 leg_lengths(const Leg& leg, const Vec3& position) noexcept;
+
 /// Turns yaw and tilt so that the plane of the bones goes through `target` (any unit), on the side of the root
-/// that the foot is on, as well as limits allow: yaw first, at the tilt that there is; then tilt.
-void face(const Leg& leg, const Vec3& target, LegPose& pose) noexcept;
+/// that the foot is on, as well as limits allow, if they are kept: yaw first, at the tilt that there is; then
+/// tilt.
+void face(const Leg& leg, const Vec3& target, LegPose& pose, bool limited = true) noexcept;
 
 /// The pose that the start of number `start` begins from, turned to face the target: rest, curled, stretched,
 /// raised, curled under the body, curled over; then the same again.

@@ -25,6 +25,8 @@ enum class LegAnswer : std::uint8_t {
 struct LegResult {
     LegAnswer answer = LegAnswer::refused;
     /// m, between the foot and the target; when out of reach, the point on the way to it that the leg is long.
+    /// When reached, it may be a bound that is larger. Of a solver that orients, a radian counts as a leg's
+    /// length.
     double error = 0;
     int steps = 0;     ///< in all
     int restarts = 0;  ///< starts after the one from the given pose

@@ -53,7 +53,10 @@ TEST_CASE("cold, 99.9 % of reachable targets are reached", "[unit]") {
             LegPose pose = rest_pose(leg);
             const LegResult result = solve(leg, target, pose);
             const double left = error(leg, pose, target);
-            CHECK(left == Approx(result.error / leg.length).margin(1e-12));
+            if (result.answer == LegAnswer::reached)
+                CHECK(left <= result.error / leg.length + 1e-14);  // a bound
+            else
+                CHECK(left == Approx(result.error / leg.length).margin(1e-14));
             missed += left > 1e-4;
         }
         INFO(species.limbs[i].name);

@@ -149,7 +149,8 @@ TEST_CASE("a bad species file is told all that is wrong with it, and where", "[u
         const auto sentences = faults_of(each.text);
         for (const std::string& sentence : sentences) UNSCOPED_INFO(sentence);
         REQUIRE(sentences.size() == each.expected.size());
-        for (std::size_t i = 0; i < sentences.size(); ++i) CHECK(sentences[i].substr(0, each.expected[i].size()) == each.expected[i]);
+        for (std::size_t i = 0; i < sentences.size(); ++i)
+            CHECK(sentences[i].substr(0, each.expected[i].size()) == each.expected[i]);
     }
     Diagnostics faults;
     CHECK_FALSE(read_species_file("/nowhere/creature.toml", faults));
