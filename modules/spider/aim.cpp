@@ -27,17 +27,19 @@ double along(const Leg& leg, std::size_t j, double share) noexcept {
     return leg.rest[j] + magnitude(share) * (end - leg.rest[j]);
 }
 
-/// Of a start: pitch, and what all hinges have in common, as along() has it.
+/// Of a start, as along() has it: pitch, the hinges of femur and patella, and those further out.
 struct Start {
-    double pitch, bend;
+    double pitch, near, far;
 };
-constexpr std::array<Start, 6> kStarts{{
-    {0, 0},        // rest
-    {0, -0.7},     // curled
-    {0, 0.7},      // stretched
-    {0.7, -0.4},   // raised
-    {-0.7, -0.7},  // curled under the body
-    {0.7, -0.9},   // curled over
+constexpr std::array<Start, 8> kStarts{{
+    {0, 0, 0},           // rest
+    {0, -0.7, -0.7},     // curled
+    {0.8, 0.2, -0.9},    // hooked
+    {0.9, 0.9, 0.9},     // over the body
+    {0.7, -0.9, -0.9},   // curled over
+    {-0.7, -0.7, -0.7},  // curled under
+    {0, 0.7, 0.7},       // stretched
+    {0.7, -0.4, -0.4},   // raised
 }};
 
 }  // namespace
@@ -70,7 +72,8 @@ LegPose start_pose(const Leg& leg, const Vec3& target, int start) noexcept {
     const Start& from = kStarts[static_cast<std::size_t>(start) % kStarts.size()];
     LegPose pose = rest_pose(leg);
     pose[kPitch] = along(leg, kPitch, from.pitch);
-    for (std::size_t j = kPitch + 1; j < kJoints; ++j) pose[j] = along(leg, j, from.bend);
+    for (std::size_t j = kPitch + 1; j < kJoints; ++j)
+        pose[j] = along(leg, j, j <= kPitch + 2 ? from.near : from.far);
     face(leg, target, pose);
     return pose;
 }

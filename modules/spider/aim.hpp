@@ -40,8 +40,8 @@ Vec3 leg_lengths(const Leg& leg, const Vec3& position) noexcept;
 /// tilt.
 void face(const Leg& leg, const Vec3& target, LegPose& pose, bool limited = true) noexcept;
 
-/// The pose that the start of number `start` begins from, turned to face the target: rest, curled, stretched,
-/// raised, curled under the body, curled over; then the same again.
+/// The pose that the start of number `start` begins from, turned to face the target: rest, curled, hooked, over
+/// the body, curled over, curled under, stretched, raised; then the same again.
 LegPose start_pose(const Leg& leg, const Vec3& target, int start) noexcept;
 
 }  // namespace orbweaver::spider

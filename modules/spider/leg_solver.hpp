@@ -38,7 +38,7 @@ struct LegSolverOptions {
     double rest = 0.02;       ///< likewise of the way to the rest pose
     double max_turn = 0.5;    ///< rad, of any joint in one step
     int max_steps = 30;       ///< from each start
-    int restarts = 6;         ///< starts from other poses when the given one leads nowhere: see start_pose()
+    int restarts = 8;         ///< starts from other poses when the given one leads nowhere: see start_pose()
 };
 
 /// Moves `pose`, which is within limits and stays so, until the foot is at the target. Poses go in warm: the
