@@ -44,6 +44,7 @@ struct JointRange {
 template <class Real>
 struct alignas(sizeof(Real)) Chain {
     Real length;                ///< m, of all bones
+    Real per_length;            ///< 1/m
     Real bone[kBones];          ///< as a share of length; a bone that the leg lacks has 0
     Real min[kJoints];          ///< rad; a joint that the leg lacks has min = max = 0
     Real max[kJoints];          ///< rad
