@@ -30,17 +30,19 @@ struct FootPaths {
             const Leg& leg = read->limbs[i].leg;
             legs.push_back(leg);
             const Vec3 home = foot_position(leg, rest_pose(leg));
+            LegPose along = rest_pose(leg);
             const double rounds = std::ceil(kTimes * step / (2 * std::numbers::pi * 0.25));
             const double radius = leg.length * step * kTimes / (2 * std::numbers::pi * rounds);
             for (std::size_t t = 0; t < kTimes; ++t) {
                 const double phase =
                     2 * std::numbers::pi * rounds * static_cast<double>(t) / kTimes + static_cast<double>(i);
-                warm.push_back({home + Vec3{0, 0.3 * radius * std::sin(phase), radius * std::cos(phase)},
-                                foot_frame(leg, rest_pose(leg))});
+                const Vec3 foot = home + Vec3{0, 0.3 * radius * std::sin(phase), radius * std::cos(phase)};
+                find_leg_solver("half_jacobian")->solve(leg, {foot}, {}, along);
+                warm.push_back(target_of(leg, along));
                 LegPose pose;
                 for (std::size_t j = 0; j < kJoints; ++j)
                     pose[j] = leg.min[j] + (leg.max[j] - leg.min[j]) * random.uniform(count++);
-                cold.push_back({foot_position(leg, pose), foot_frame(leg, pose)});
+                cold.push_back(target_of(leg, pose));
             }
         }
     }
@@ -52,6 +54,11 @@ struct FootPaths {
 
     std::vector<Leg> legs;
     std::vector<LegTarget> warm, cold;
+
+private:
+    static LegTarget target_of(const Leg& leg, const LegPose& pose) {
+        return {foot_position(leg, pose), foot_frame(leg, pose)};
+    }
 };
 
 }  // namespace orbweaver::spider::test
