@@ -8,7 +8,7 @@
 #include "restarts.hpp"
 
 #if defined(__x86_64__)
-#define ORBWEAVER_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")))
+#define ORBWEAVER_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl")))
 #else
 #define ORBWEAVER_AVX512
 #endif
