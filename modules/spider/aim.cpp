@@ -27,22 +27,29 @@ double along(const Leg& leg, std::size_t j, double share) noexcept {
     return leg.rest[j] + magnitude(share) * (end - leg.rest[j]);
 }
 
-/// Of a start: pitch, and what all hinges have in common, as along() has it.
+/// Of a start, as along() has it: pitch, the hinges of femur and patella, and those further out.
 struct Start {
-    double pitch, bend;
+    double pitch, near, far;
 };
-constexpr std::array<Start, 6> kStarts{{
-    {0, 0},        // rest
-    {0, -0.7},     // curled
-    {0, 0.7},      // stretched
-    {0.7, -0.4},   // raised
-    {-0.7, -0.7},  // curled under the body
-    {0.7, -0.9},   // curled over
+constexpr std::array<Start, 8> kStarts{{
+    {0, 0, 0},           // rest
+    {0, -0.7, -0.7},     // curled
+    {0.8, 0.2, -0.9},    // hooked
+    {0.9, 0.9, 0.9},     // over the body
+    {0.7, -0.9, -0.9},   // curled over
+    {-0.7, -0.7, -0.7},  // curled under
+    {0, 0.7, 0.7},       // stretched
+    {0.7, -0.4, -0.4},   // raised
 }};
 
 }  // namespace
 
-void face(const Leg& leg, const Vec3& target, LegPose& pose) noexcept {
+Vec3 leg_lengths(const Leg& leg, const Vec3& position) noexcept {
+    const Triple<double> at = aim_at(leg, Triple<double>{position.x, position.y, position.z}).at;
+    return {at.x, at.y, at.z};
+}
+
+void face(const Leg& leg, const Vec3& target, LegPose& pose, bool limited) noexcept {
     // The target as seen by a plane turned by yaw has to lie on z = y tan(tilt), on the foot's side of the
     // root.
     const Rotor<double> tilt = rotor(pose[kTilt]);
@@ -53,19 +60,20 @@ void face(const Leg& leg, const Vec3& target, LegPose& pose) noexcept {
     const double wanted = side * target.y * tilt.s / (tilt.c * level);
     const double s = clamp(wanted, -1.0, 1.0);
     const double turn = into_turn(heading + angle_of(sqrt(1 - s * s), s));
-    pose[kYaw] = clamp(turn, leg.min[kYaw], leg.max[kYaw]);
+    pose[kYaw] = limited ? clamp(turn, leg.min[kYaw], leg.max[kYaw]) : turn;
     if (pose[kYaw] == turn && s == wanted) return;
     const Rotor<double> yaw = rotor(pose[kYaw]);
     const double across = yaw.s * target.x + yaw.c * target.z;
     const double angle = target.y < 0 ? angle_of(-target.y, -across) : angle_of(target.y, across);
-    pose[kTilt] = clamp(angle, leg.min[kTilt], leg.max[kTilt]);
+    pose[kTilt] = limited ? clamp(angle, leg.min[kTilt], leg.max[kTilt]) : angle;
 }
 
 LegPose start_pose(const Leg& leg, const Vec3& target, int start) noexcept {
     const Start& from = kStarts[static_cast<std::size_t>(start) % kStarts.size()];
     LegPose pose = rest_pose(leg);
     pose[kPitch] = along(leg, kPitch, from.pitch);
-    for (std::size_t j = kPitch + 1; j < kJoints; ++j) pose[j] = along(leg, j, from.bend);
+    for (std::size_t j = kPitch + 1; j < kJoints; ++j)
+        pose[j] = along(leg, j, j <= kPitch + 2 ? from.near : from.far);
     face(leg, target, pose);
     return pose;
 }

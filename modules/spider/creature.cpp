@@ -251,8 +251,7 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
     const SurfaceHit below = surface.first_hit({body.position, -1 * body.up, 2 * species.height});
     if (below.answer != Answer::found) {
         const SurfaceHit nearest = surface.closest_point(body.position, 4 * species.height);
-        const double height =
-            nearest.answer == Answer::found ? distance(nearest.position, body.position) : species.height;
+        const double height = nearest.answer == Answer::found ? nearest.distance : species.height;
         measures.worst_penetration = std::max(measures.worst_penetration, species.body.thorax.y / 2 - height);
     }
 }

@@ -7,9 +7,10 @@ namespace {
 
 Vec3 across(const Vec3& v, const Vec3& unit) noexcept { return v - dot(v, unit) * unit; }
 
-Foothold from_hit(const SurfaceHit& hit, const Vec3& up) noexcept {
+Foothold from_hit(const Surface& surface, const SurfaceHit& hit, const Vec3& up) noexcept {
     if (hit.answer != Answer::found) return {};
-    return {true, hit.at, hit.position, dot(hit.normal, up) < 0 ? -1 * hit.normal : hit.normal};
+    const Vec3 normal = surface.normal(hit.at.face);
+    return {true, hit.at, surface.position(hit.at), dot(normal, up) < 0 ? -1 * normal : normal};
 }
 
 Foothold by_rays(const Surface& surface, const Vec3& up, const Vec3& wanted, double reach) noexcept {
@@ -17,7 +18,7 @@ Foothold by_rays(const Surface& surface, const Vec3& up, const Vec3& wanted, dou
     const SurfaceHit above = surface.first_hit({wanted, up, reach});
     const bool from_below =
         below.answer == Answer::found && (above.answer != Answer::found || below.distance <= above.distance);
-    return from_hit(from_below ? below : above, up);
+    return from_hit(surface, from_below ? below : above, up);
 }
 
 Foothold along_surface(const Surface& surface, const Footing& ground, const Vec3& wanted) noexcept {

@@ -63,21 +63,50 @@ ORBWEAVER_INLINE void half_jacobian_turns(const Chain<Real>& leg, const Posture<
         turns[kPitch + i] = wish[kPitch + i] + weight[i] * (move_x[i] * b[0] + move_y[i] * b[1]);
 }
 
-/// Turns joints, by at most max_turn, where `active`; none leaves its limits.
+/// Turns joints, by at most max_turn, where `active`; none leaves its limits. `turns` becomes what they did.
 template <class Real>
-ORBWEAVER_INLINE void turn_joints(const Chain<Real>& leg, const Real (&turns)[kJoints], double max_turn,
-                                  const Mask<Real>& active, Real (&pose)[kJoints]) noexcept {
+ORBWEAVER_INLINE void turn_joints(const Chain<Real>& leg, double max_turn, const Mask<Real>& active,
+                                  Real (&turns)[kJoints], Real (&pose)[kJoints]) noexcept {
     Real largest = Real{} + max_turn;
     for (std::size_t j = 0; j < kJoints; ++j) largest = larger(largest, magnitude(turns[j]));
     const Real scale = max_turn / largest;
-    for (std::size_t j = 0; j < kJoints; ++j)
-        pose[j] = select(active, clamp(Real(pose[j] + scale * turns[j]), leg.min[j], leg.max[j]), pose[j]);
+    for (std::size_t j = 0; j < kJoints; ++j) {
+        const Real wanted = clamp(Real(pose[j] + scale * turns[j]), leg.min[j], leg.max[j]);
+        const Real angle = select(active, wanted, pose[j]);
+        turns[j] = angle - pose[j];
+        pose[j] = angle;
+    }
+}
+
+/// The square of the second-order part of what turns do to the foot is at most this, leg lengths: no second
+/// derivative of the foot's place is longer than the leg.
+template <class Real>
+ORBWEAVER_INLINE Real squared_curvature(const Real (&turns)[kJoints]) noexcept {
+    Real sum{};
+    for (std::size_t j = 0; j < kJoints; ++j) sum += magnitude(turns[j]);
+    const Real half_square = 0.5 * sum * sum;
+    return half_square * half_square;
+}
+
+/// The square of what turns leave of `error`, to first order.
+template <class Real>
+ORBWEAVER_INLINE Real squared_rest(const Posture<Real>& at, const Triple<Real>& error,
+                                   const Real (&turns)[kJoints]) noexcept {
+    const Real x = at.x[kBones], y = at.y[kBones];
+    const Triple<Real> yaw = foot_velocity(at, kYaw);
+    Triple<Real> rest{error.x - yaw.x * turns[kYaw], error.y - yaw.y * turns[kYaw],
+                      error.z - yaw.z * turns[kYaw] - y * turns[kTilt]};
+    for (std::size_t i = 0; i < kBones; ++i) {
+        rest.x -= (at.y[i] - y) * turns[kPitch + i];
+        rest.y -= (x - at.x[i]) * turns[kPitch + i];
+    }
+    return dot(rest, rest);
 }
 
 /// Where the search from one start ended.
 template <class Real>
 struct Approach {
-    Real squared_error;  ///< leg lengths squared
+    Real squared_error;  ///< leg lengths squared; where within tolerance, it is no larger than this
     Real steps;
 };
 
@@ -101,14 +130,28 @@ ORBWEAVER_INLINE Approach<Real> half_jacobian_approach(const Chain<Real>& leg, c
         const Real squared = dot(error, error);
         little_gains = select(squared > kLittleGain * approach.squared_error, Real(little_gains + 1), zero);
         approach.squared_error = select(active, squared, approach.squared_error);
-        if (step > 0) active = active & (squared > enough) & (little_gains < kLittleGains);
-        if (step == options.max_steps || !any(active)) return approach;
+        const Real to_gain = select(little_gains < kLittleGains, squared, zero);
+        if (step > 0) active = active & (to_gain > enough);
+        if (step == options.max_steps || !any<Real>(active)) return approach;
         Real turns[kJoints];
         half_jacobian_turns(leg, at, pose, error, squared, wish, turns);
-        turn_joints(leg, turns, options.max_turn, active, pose);
+        turn_joints(leg, options.max_turn, active, turns, pose);
         approach.steps = select(active, Real(approach.steps + 1), approach.steps);
+        // Where the step is sure to have been the last, nobody needs to look.
+        const Real curvature = squared_curvature(turns);
+        if (any<Real>(active & (2 * curvature <= enough))) {
+            const Real bound = 2 * (squared_rest(at, error, turns) + curvature);  // (a + b)^2 <= 2 (a^2 + b^2)
+            const Mask<Real> sure = active & (bound <= enough);
+            approach.squared_error = select(sure, bound, approach.squared_error);
+            active = active & (bound > enough);
+            if (!any<Real>(active)) return approach;
+        }
         for (Real& each : wish) each = zero;
     }
 }
+
+/// For one leg; `target` in leg lengths.
+Approach<double> approach_by_half_jacobian(const Leg& leg, const Vec3& target, const LegSolverOptions& options,
+                                           LegPose& pose) noexcept;
 
 }  // namespace orbweaver::spider

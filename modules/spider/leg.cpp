@@ -26,6 +26,7 @@ double per(double width) noexcept { return width != 0 ? 1 / width : 0; }
 Leg make_leg(const std::array<double, kBones>& bones, const std::array<JointRange, kJoints>& joints) noexcept {
     Leg leg{};
     for (const double bone : bones) leg.length += bone;
+    leg.per_length = 1 / leg.length;
     for (std::size_t i = 0; i < kBones; ++i) leg.bone[i] = bones[i] / leg.length;
     for (std::size_t j = 0; j < kJoints; ++j) {
         const JointRange& range = joints[j];

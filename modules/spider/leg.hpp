@@ -39,10 +39,12 @@ struct JointRange {
     double rest = 0;       ///< within comfort
 };
 
-/// Of one leg (Real a double) or of four (Lanes), in the order of kBoneNames and kJointNames. Constant.
+/// Of one leg (Real a double) or of several (lanes), in the order of kBoneNames and kJointNames. Constant.
+/// Aligned as code for wide registers takes it to be; on its own, plain code asks for less.
 template <class Real>
-struct Chain {
+struct alignas(sizeof(Real)) Chain {
     Real length;                ///< m, of all bones
+    Real per_length;            ///< 1/m
     Real bone[kBones];          ///< as a share of length; a bone that the leg lacks has 0
     Real min[kJoints];          ///< rad; a joint that the leg lacks has min = max = 0
     Real max[kJoints];          ///< rad

@@ -8,9 +8,12 @@
 namespace orbweaver::spider {
 
 std::span<const LegSolver> leg_solvers() noexcept {
-    static constexpr std::array<LegSolver, 1> table{{
+    static constexpr std::array<LegSolver, 4> table{{
         // name, solve, whether it orients the last bone, whether it keeps limits
         {"half_jacobian", solve_half_jacobian, false, true},
+        {"full_jacobian", solve_full_jacobian, true, true},
+        {"fabrik", solve_fabrik, false, true},
+        {"fabrik_unlimited", solve_fabrik_unlimited, false, false},
     }};
     return table;
 }

@@ -25,6 +25,8 @@ enum class LegAnswer : std::uint8_t {
 struct LegResult {
     LegAnswer answer = LegAnswer::refused;
     /// m, between the foot and the target; when out of reach, the point on the way to it that the leg is long.
+    /// When reached, it may be a bound that is larger. Of a solver that orients, a radian counts as a leg's
+    /// length.
     double error = 0;
     int steps = 0;     ///< in all
     int restarts = 0;  ///< starts after the one from the given pose
@@ -36,7 +38,7 @@ struct LegSolverOptions {
     double rest = 0.02;       ///< likewise of the way to the rest pose
     double max_turn = 0.5;    ///< rad, of any joint in one step
     int max_steps = 30;       ///< from each start
-    int restarts = 6;         ///< starts from other poses when the given one leads nowhere: see start_pose()
+    int restarts = 8;         ///< starts from other poses when the given one leads nowhere: see start_pose()
 };
 
 /// Moves `pose`, which is within limits and stays so, until the foot is at the target. Poses go in warm: the

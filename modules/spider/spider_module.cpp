@@ -151,8 +151,8 @@ private:
                                         : Vec3{random.uniform(n + 3, -1, 1), random.uniform(n + 4, -1, 1),
                                                random.uniform(n + 5, -1, 1)};
             const SurfaceHit hit = surface_->closest_point(point, far);
-            const Vec3 away = point - hit.position;
-            const Vec3 up = norm(away) > 1e-9 && dot(away, hit.normal) < 0 ? -1 * hit.normal : hit.normal;
+            const Vec3 away = point - surface_->position(hit.at), normal = surface_->normal(hit.at.face);
+            const Vec3 up = norm(away) > 1e-9 && dot(away, normal) < 0 ? -1 * normal : normal;
             const SurfaceStep placed = surface_->place(hit.at, up, heading);
             if (hit.answer != Answer::found || placed.answer != Answer::found) {
                 host.report_fault({host.options().where(asked ? "position" : "count"),

@@ -19,8 +19,9 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kPhaseNames = {"sense",     "act",    "integrate",
                                                          "constrain", "derive", "present"};
-constexpr std::array<std::string_view, 10> kTypeNames = {"boolean", "integer", "number",  "text", "choice",
-                                                         "vector",  "vectors", "numbers", "file", "preset"};
+constexpr std::array<std::string_view, 11> kTypeNames = {"boolean", "integer", "number",  "text",
+                                                         "choice",  "vector",  "vectors", "numbers",
+                                                         "file",    "preset",  "named"};
 constexpr std::array<std::string_view, 6> kWhenNames = {"",       "pictures",  "offscreen",
                                                         "window", "recording", "threads"};
 

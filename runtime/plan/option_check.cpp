@@ -36,6 +36,7 @@ public:
                 return widen(read_number(node));
             case OptionType::text:
             case OptionType::preset:
+            case OptionType::named:
                 if (const auto* text = std::get_if<std::string>(&node.value)) return *text;
                 return wrong(node, "a text");
             case OptionType::choice:
@@ -214,9 +215,9 @@ public:
         for (const OptionSpec& spec : specs_) {
             if (spec.type != OptionType::preset || !given.has(spec.key)) continue;
             const std::string& name = given.text(spec.key);
-            const std::string path = find_preset(spec, name);
+            const std::string path = find_named(spec, name);
             if (path.empty()) {
-                report_missing_preset(spec, name, given.where(spec.key));
+                report_missing_named(spec, name, given.where(spec.key));
                 continue;
             }
             try {
@@ -224,6 +225,20 @@ public:
             } catch (const Fault& fault) {
                 faults_.push_back({given.where(spec.key), fault.what(), "", ""});
             }
+        }
+    }
+
+    /// Names become paths.
+    void find_named_files(Options& into) const {
+        for (const OptionSpec& spec : specs_) {
+            if (spec.type != OptionType::named || !into.has(spec.key)) continue;
+            const std::string name = into.text(spec.key);
+            const Location where = into.given(spec.key) ? into.where(spec.key) : Location{};
+            const std::string path = find_named(spec, name);
+            if (path.empty())
+                report_missing_named(spec, name, into.where(spec.key));
+            else
+                into.set(spec.key, path, where);
         }
     }
 
@@ -265,7 +280,7 @@ private:
                              : fmt::format("did you mean '{}{}'?",
                                            key.substr(0, key.size() - member.key.size()), nearest)});
     }
-    std::string find_preset(const OptionSpec& spec, const std::string& name) const {
+    std::string find_named(const OptionSpec& spec, const std::string& name) const {
         std::error_code error;
         if (name.ends_with(".toml")) {
             const fs::path path = fs::path(paths_.scene_directory) / name;
@@ -277,7 +292,7 @@ private:
         }
         return "";
     }
-    void report_missing_preset(const OptionSpec& spec, const std::string& name, const Location& where) const {
+    void report_missing_named(const OptionSpec& spec, const std::string& name, const Location& where) const {
         std::vector<std::string> names;
         std::error_code error;
         for (const std::string& assets : paths_.asset_directories)
@@ -313,6 +328,7 @@ Options check_options(const Node& table, std::span<const OptionSpec> specs, cons
     for (const auto& [key, entry] : preset.entries())
         if (!result.has(key)) result.set(key, entry.value, entry.where);
     checker.add_defaults(result, table.where);
+    checker.find_named_files(result);
     return result;
 }
 

@@ -21,7 +21,8 @@ enum class OptionType : std::uint8_t {
     vectors,
     numbers,
     file,
-    preset
+    preset,  ///< a TOML file by name, whose keys are the module's options
+    named,   ///< the same with keys of its own: the module is given its path
 };
 
 /// One option of a module, as its manifest declares it.
@@ -37,7 +38,7 @@ struct OptionSpec {
     bool below_max = false;  ///< max itself is out of range
     std::size_t length = 0;  ///< of numbers; 0: any
     std::vector<std::string> choices;
-    std::string folder;  ///< of a preset, below assets/
+    std::string folder;  ///< of a preset or a named file, below assets/
     std::string asset;   ///< of a file, what is baked from it: "mesh"; empty: it is used as it is
     std::string meaning;
     std::string plan;  ///< what a plan adds to its module where the scene gives this option; empty: nothing

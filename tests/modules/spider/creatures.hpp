@@ -12,6 +12,9 @@ namespace orbweaver::spider::test {
 
 inline constexpr double kDegree = 3.14159265358979323846 / 180;
 
+inline const std::array<std::string, 6> kCreatures{"huntsman",   "tarantula", "jumping_spider",
+                                                   "harvestman", "ant",       "lizard"};
+
 inline Species creature(const std::string& name) {
     Diagnostics faults;
     const auto species = read_species_file(ORBWEAVER_SOURCE_DIR "/assets/creatures/" + name + ".toml", faults);

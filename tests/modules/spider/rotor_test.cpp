@@ -21,7 +21,7 @@ TEST_CASE("a rotor is the angle's cosine and sine, from half a turn back to half
 TEST_CASE("four lanes of rotors give the bits of one", "[unit]") {
     for (int i = -1000; i <= 1000; ++i) {
         const double angle = 0.0031 * i;
-        const Rotor<Lanes> lanes = rotor(Lanes{angle, -angle, 0.5 * angle, 0.25});
+        const Rotor<Lanes4> lanes = rotor(Lanes4{angle, -angle, 0.5 * angle, 0.25});
         const double angles[] = {angle, -angle, 0.5 * angle, 0.25};
         for (int k = 0; k < 4; ++k) {
             CHECK(lanes.c[k] == rotor(angles[k]).c);

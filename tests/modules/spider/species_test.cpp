@@ -84,6 +84,26 @@ TEST_CASE("left legs are right legs in a mirror", "[unit]") {
     }
 }
 
+TEST_CASE("creatures that are shipped stand on their feet, left and right in groups apart", "[unit]") {
+    for (const std::string& name : kCreatures) {
+        INFO(name);
+        const Species species = creature(name);
+        CHECK(species.limbs.size() == (name == "ant" ? 6 : name == "lizard" ? 4 : 8));
+        CHECK(species.groups == 2);
+        CHECK(species.height > 0.3 * species.body.thorax.y);
+        for (std::size_t i = 0; i < species.limbs.size(); ++i) {
+            const Limb& limb = species.limbs[i];
+            INFO(limb.name);
+            CHECK(violation(limb.leg, rest_pose(limb.leg)) == 0);
+            CHECK(std::abs(limb.home.z) > species.body.thorax.z / 2);  // beside the body
+            CHECK(limb.home.y == Approx(-species.height).epsilon(0.4));
+            // Alternating: neither the leg across nor the next on this side steps with it.
+            CHECK(limb.group != species.limbs[i ^ 1].group);
+            if (i >= 2) CHECK(limb.group != species.limbs[i - 2].group);
+        }
+    }
+}
+
 TEST_CASE("a leg's own joints come before those that all legs have in common", "[unit]") {
     Diagnostics faults;
     const auto species =

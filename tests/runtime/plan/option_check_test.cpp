@@ -73,6 +73,10 @@ meaning = "m"
 type = "preset"
 folder = "species"
 meaning = "m"
+[options.creature]
+type = "named"
+folder = "creatures"
+meaning = "m"
 [options."camera.fov"]
 type = "number"
 unit = "deg"
@@ -259,6 +263,19 @@ TEST_CASE("a preset that several folders have is offered once", "[unit]") {
     const Diagnostics faults = Checked("species = \"b\"\n", paths).faults;
     REQUIRE(faults.size() == 1);
     CHECK_THAT(to_string(faults[0]), Catch::Contains("expected a or c, or a path ending in .toml"));
+}
+
+TEST_CASE("a named file's path is the option, and one that is not there is refused with the nearest",
+          "[unit]") {
+    const Folder folder;
+    folder.write("assets/creatures/ant.toml", "anything = true\n");
+    const AssetPaths paths{folder.path(), {folder.path("assets")}};
+    CHECK(Checked("creature = \"ant\"\n", paths).options.text("creature") ==
+          folder.path("assets/creatures/ant.toml"));
+    const Diagnostics faults = Checked("creature = \"and\"\n", paths).faults;
+    REQUIRE(faults.size() == 1);
+    CHECK_THAT(to_string(faults[0]),
+               Catch::Contains("there is no creature 'and'") && Catch::Contains("did you mean \"ant\"?"));
 }
 
 TEST_CASE("a preset that is wrong is a fault of its own file", "[extreme]") {
