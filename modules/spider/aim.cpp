@@ -27,19 +27,20 @@ double along(const Leg& leg, std::size_t j, double share) noexcept {
     return leg.rest[j] + magnitude(share) * (end - leg.rest[j]);
 }
 
-/// Of a start, as along() has it: pitch, the hinges of femur and patella, and those further out.
+/// Of a start, as along() has it: pitch, the hinges of femur and patella, and those further out; and the side
+/// of the root that faces the target.
 struct Start {
-    double pitch, near, far;
+    double pitch, near, far, side;
 };
 constexpr std::array<Start, 8> kStarts{{
-    {0, 0, 0},           // rest
-    {0, -0.7, -0.7},     // curled
-    {0.8, 0.2, -0.9},    // hooked
-    {0.9, 0.9, 0.9},     // over the body
-    {0.7, -0.9, -0.9},   // curled over
-    {-0.7, -0.7, -0.7},  // curled under
-    {0, 0.7, 0.7},       // stretched
-    {0.7, -0.4, -0.4},   // raised
+    {0, 0, 0, 1},            // rest
+    {0, -0.7, -0.7, -1},     // curled
+    {0.8, 0.2, -0.9, 1},     // hooked
+    {0.9, 0.9, 0.9, -1},     // over the body
+    {0.7, -0.9, -0.9, -1},   // curled over
+    {-0.7, -0.7, -0.7, -1},  // curled under
+    {0, 0.7, 0.7, 1},        // stretched
+    {0.7, -0.4, -0.4, 1},    // raised
 }};
 
 }  // namespace
@@ -49,13 +50,14 @@ Vec3 leg_lengths(const Leg& leg, const Vec3& position) noexcept {
     return {at.x, at.y, at.z};
 }
 
-void face(const Leg& leg, const Vec3& target, LegPose& pose, bool limited) noexcept {
+double foot_side(const Leg& leg, const LegPose& pose) noexcept { return planar_reach(leg, pose) < 0 ? -1 : 1; }
+
+void face(const Leg& leg, const Vec3& target, double side, LegPose& pose, bool limited) noexcept {
     // The target as seen by a plane turned by yaw has to lie on z = y tan(tilt), on the foot's side of the
     // root.
     const Rotor<double> tilt = rotor(pose[kTilt]);
     const double level = sqrt(target.x * target.x + target.z * target.z);
     if (!(level > 0)) return;
-    const double side = planar_reach(leg, pose) < 0 ? -1 : 1;
     const double heading = angle_of(side * target.x, -side * target.z);
     const double wanted = side * target.y * tilt.s / (tilt.c * level);
     const double s = clamp(wanted, -1.0, 1.0);
@@ -74,7 +76,7 @@ LegPose start_pose(const Leg& leg, const Vec3& target, int start) noexcept {
     pose[kPitch] = along(leg, kPitch, from.pitch);
     for (std::size_t j = kPitch + 1; j < kJoints; ++j)
         pose[j] = along(leg, j, j <= kPitch + 2 ? from.near : from.far);
-    face(leg, target, pose);
+    face(leg, target, from.side, pose);
     return pose;
 }
 

@@ -48,10 +48,13 @@ ORBWEAVER_INLINE Aim<Real> aim_at(const Chain<Real>& leg, const Triple<Real>& po
 /// Of a finite position in m.
 Vec3 leg_lengths(const Leg& leg, const Vec3& position) noexcept;
 
-/// Turns yaw and tilt so that the plane of the bones goes through `target` (any unit), on the side of the root
-/// that the foot is on, as well as limits allow, if they are kept: yaw first, at the tilt that there is; then
+/// On which side of the root the foot is in its plane: 1 along x, or -1.
+double foot_side(const Leg& leg, const LegPose& pose) noexcept;
+
+/// Turns yaw and tilt so that the plane of the bones goes through `target` (any unit), with it on the given
+/// side of the root, as well as limits allow, if they are kept: yaw first, at the tilt that there is; then
 /// tilt.
-void face(const Leg& leg, const Vec3& target, LegPose& pose, bool limited = true) noexcept;
+void face(const Leg& leg, const Vec3& target, double side, LegPose& pose, bool limited = true) noexcept;
 
 /// The pose that the start of number `start` begins from, turned to face the target: rest, curled, hooked, over
 /// the body, curled over, curled under, stretched, raised; then the same again.

@@ -54,7 +54,7 @@ Approach<double> fabrik_approach(const Leg& leg, const Vec3& target, bool limite
     LegPose best = pose;
     int little_gains = 0;
     for (int step = 0;; ++step) {
-        face(leg, target, pose, limited);
+        face(leg, target, foot_side(leg, pose), pose, limited);
         double angles[kJoints];
         std::copy(pose.begin(), pose.end(), angles);
         const Posture<double> at = posture(leg, angles);

@@ -63,6 +63,7 @@ struct JointText {
     std::optional<std::array<double, 2>> limits, comfort;
     std::optional<double> stiffness, rest;
     Location where;
+    bool faulty = false;  ///< what is not here may have been said, but wrong
 };
 using JointTexts = std::array<JointText, kJoints>;
 
@@ -126,6 +127,7 @@ private:
     void read_joint(const Node& node, double most, JointText& into) {
         TableReader reader(node, faults_, "a joint");
         into.where = node.where;
+        const std::size_t faults_before = faults_.size();
         std::array<double, 2> range{};
         if (const Node* limits = reader.take("limits"))
             if (read_quantities(*limits, "limits", "rad", -most, most, range, faults_)) into.limits = range;
@@ -135,6 +137,7 @@ private:
             into.stiffness = read_quantity(*stiffness, "stiffness", "1", 0, 1, faults_);
         if (const Node* rest = reader.take("rest"))
             into.rest = read_quantity(*rest, "rest", "rad", -most, most, faults_);
+        into.faulty = faults_.size() > faults_before;
         reader.finish();
     }
 
@@ -177,6 +180,7 @@ private:
         const auto limits = own.limits ? own.limits : common.limits;
         const auto comfort = own.comfort ? own.comfort : common.comfort;
         const auto rest = own.rest ? own.rest : common.rest;
+        if (common.faulty || own.faulty) return {};
         const std::string joint = fmt::format("joints.{}", kJointNames[j]);
         if (!limits) missing(where, joint + ".limits", "[least, most]");
         if (!comfort) missing(where, joint + ".comfort", "[least, most]");

@@ -31,7 +31,7 @@ TEST_CASE("a plane faces a target that its yaw can reach at the tilt that there 
                 LegPose pose = rest_pose(leg);
                 pose[kTilt] = tilt;
                 const Vec3 target{std::cos(heading), up, std::sin(heading)};
-                face(leg, target, pose);
+                face(leg, target, 1, pose);
                 CHECK(pose[kTilt] == tilt);
                 CHECK(violation(leg, pose) == 0);
                 const InPlane seen = in_plane(leg, pose, target);
@@ -44,16 +44,16 @@ TEST_CASE("where yaw does not do, the plane tilts as far as it may", "[unit]") {
     const Leg leg = creature("huntsman").limbs[0].leg;
     LegPose pose = rest_pose(leg);
     const Vec3 target{0.2, -0.6, 0.45};  // 66 degrees aside, where yaw ends at 60
-    face(leg, target, pose);
+    face(leg, target, 1, pose);
     CHECK(pose[kYaw] == leg.min[kYaw]);
     CHECK(violation(leg, pose) == 0);
     CHECK(in_plane(leg, pose, target).away < 1e-14);
     pose = rest_pose(leg);
-    face(leg, {-0.1, 0.01, 0.8}, pose);  // out of the reach of both
+    face(leg, {-0.1, 0.01, 0.8}, 1, pose);  // out of the reach of both
     CHECK(pose[kYaw] == leg.min[kYaw]);
     CHECK(violation(leg, pose) == 0);
     pose = rest_pose(leg);
-    face(leg, target, pose, false);
+    face(leg, target, 1, pose, false);
     CHECK(pose[kYaw] < leg.min[kYaw]);
     CHECK(in_plane(leg, pose, target).away < 1e-14);
 }
@@ -64,7 +64,8 @@ TEST_CASE("a curled leg faces what is behind its root with the foot that is ther
     pose[kPitch] = leg.min[kPitch];
     for (std::size_t j = kPitch + 1; j < kJoints; ++j) pose[j] = leg.min[j];
     const Vec3 target{-0.3, -0.2, 0.1};
-    face(leg, target, pose);
+    CHECK(foot_side(leg, pose) == -1);
+    face(leg, target, foot_side(leg, pose), pose);
     const InPlane seen = in_plane(leg, pose, target);
     CHECK(seen.away < 1e-14);
     CHECK(seen.along < 0);

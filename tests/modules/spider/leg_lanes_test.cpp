@@ -77,8 +77,8 @@ TEST_CASE("legs in lanes end where they end one after another, to the bit", "[un
             for (std::size_t i = 0; i < count; ++i)
                 walks.emplace_back(twins.leg(i), twins.leg(i).length * 0.004 * static_cast<double>(1 + i % 8));
             for (int step = 0; step < 300; ++step) {
-                std::vector<Vec3> targets;
-                for (ReachableWalk& walk : walks) targets.push_back(walk.next().position);
+                std::vector<Vec3> targets(count);
+                for (std::size_t i = 0; i < count; ++i) targets[i] = walks[i].next().position;
                 twins.solve(targets);
             }
         }

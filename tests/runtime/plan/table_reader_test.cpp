@@ -57,3 +57,12 @@ TEST_CASE("members of another type, and those that nobody took, are faults", "[e
               "t.toml:3:6: 'c' is 1; expected a text", "t.toml:1:1: 'e' is missing; expected a text",
               "t.toml:4:1: a manifest has no key 'd'; expected a, b or c"});
 }
+
+TEST_CASE("a fault names what the table is of", "[unit]") {
+    const Node node = read_toml_text("a = 1\n", "t.toml");
+    Diagnostics faults;
+    TableReader reader(node, faults, "a bone");
+    reader.take("length");
+    reader.finish();
+    CHECK(sentences(faults) == std::vector<std::string>{"t.toml:1:1: a bone has no key 'a'; expected length"});
+}
