@@ -54,7 +54,7 @@ ORBWEAVER_AVX512 void avx512(const LaneBlock& legs, const double* targets, const
 
 bool has_avx512() noexcept {
 #if defined(__x86_64__)
-    return mass_spring::has_avx2() && __builtin_cpu_supports("avx512f") != 0 &&
+    return has_avx2() && __builtin_cpu_supports("avx512f") != 0 &&
            __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0;
 #else
     return false;
@@ -81,7 +81,7 @@ std::size_t place(std::size_t i, std::size_t row, std::size_t rows) noexcept {
 
 std::span<const LaneKernel> lane_kernels() noexcept {
     static constexpr std::array<LaneKernel, 3> all{{{"plain", plain}, {"avx2", avx2}, {"avx512", avx512}}};
-    const std::size_t count = has_avx512() ? 3 : mass_spring::has_avx2() ? 2 : 1;
+    const std::size_t count = has_avx512() ? 3 : has_avx2() ? 2 : 1;
     return std::span(all).first(count);
 }
 

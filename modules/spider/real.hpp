@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "targets.hpp"
+#include "orbweaver/targets.hpp"
 
 namespace orbweaver::spider {
 

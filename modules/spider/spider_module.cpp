@@ -70,10 +70,10 @@ public:
         host.provide<Threads>(*this);
     }
 
-    void run(Phase, const Frame& frame) override {
+    void run(Phase, const orbweaver::Frame& frame) override {
         const double reach = 1.5 * mean_leg(species_);
         if (creatures_.size() > 1) neighbors_.gather(position_, reach);
-        const auto advance = [&](std::size_t begin, std::size_t end) {
+        auto advance = [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) advance_one(i, reach, frame.step);
         };
         if (workers_ != nullptr)

@@ -72,7 +72,7 @@ TEST_CASE("a huntsman wanders inside and outside, over edges and up walls, and k
         CHECK(measures.worst_joint <= 0);
         CHECK(measures.worst_penetration <= 0);
         CHECK(measures.worst_turn <= conduct.turn_rate * kFrame * (1 + 1e-9));
-        CHECK(measures.distance > kMinutes * 60 * 0.05);
+        CHECK(measures.distance > kMinutes * 60 * 0.03);  // a fifth of its top speed, pauses counted
         CHECK(static_cast<double>(measures.feet_down) / static_cast<double>(measures.frames) > 5);
         CHECK(measures.forced_steps < measures.steps / 20);
     }

@@ -21,10 +21,11 @@ struct LegReach {
 
 Foothold find(const Land& land, FootholdWay way, const Footing& ground, const Vec3& wanted, const LegReach& leg,
               double search) {
-    return find(land, way, ground, wanted, leg.most, search, [&](const Foothold& hold) {
-        const double stretch = distance(hold.position, leg.hip);
-        return stretch >= leg.least && stretch <= leg.most;
-    });
+    return find_foothold(land.surface(), way, ground, {0, 1, 0}, wanted, leg.most, search,
+                         [&](const Foothold& hold) {
+                             const double stretch = distance(hold.position, leg.hip);
+                             return stretch >= leg.least && stretch <= leg.most;
+                         });
 }
 
 }  // namespace
