@@ -35,6 +35,18 @@ void ErrorMeter::follow(std::span<const Vec3> whole, std::span<const Vec3> halve
     damped_ = std::max(damped_, last_ - left_);
 }
 
+void ErrorMeter::add_alone(std::span<const Vec3> whole, std::span<const Vec3> halved, int order) noexcept {
+    latest_ = richardson(whole, halved, order);
+    alone_ += latest_;
+    if (frames_since_ > 0) --frames_since_;
+    ++frames_;
+    ++alone_samples_;
+}
+
+void ErrorMeter::follow_alone(std::span<const Vec3> whole, std::span<const Vec3> halved, int order) noexcept {
+    drift_ += std::max(0.0, richardson(whole, halved, order) - latest_);
+}
+
 void ErrorMeter::add_judged(std::span<const Vec3> x, std::span<const Vec3> judged_x, std::span<const Vec3> v,
                             std::span<const Vec3> judged_v, double frame_step) noexcept {
     add_sample(largest_distance(x, judged_x) + frame_step * largest_distance(v, judged_v));
@@ -56,13 +68,13 @@ void ErrorMeter::add_sample(double error) noexcept {
 
 double ErrorMeter::estimate() const noexcept {
     const std::uint64_t frames = last_frames_ + frames_since_;
-    return sum_ + damped_ + (frames == 0 ? 0 : left_ * static_cast<double>(frames));
+    return sum_ + damped_ + alone_ + drifted_ + (frames == 0 ? 0 : left_ * static_cast<double>(frames));
 }
 
 std::string ErrorMeter::how() const {
     if (samples_ == 0) return "no frame was redone yet";
-    const std::string counts =
-        std::to_string(samples_) + " of " + std::to_string(frames_ + frames_since_) + " frames redone";
+    const std::string counts = std::to_string(samples_ + alone_samples_) + " of " +
+                               std::to_string(frames_ + frames_since_) + " frames redone";
     std::string text =
         judge_.empty()
             ? "step doubling: largest change of a position when a frame is redone in steps half as long, " +

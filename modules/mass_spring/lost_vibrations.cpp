@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace orbweaver::mass_spring {
@@ -9,7 +10,9 @@ namespace {
 
 /// m^2, of the amplitude: E = m omega^2 A^2/2.
 double square_of(const Loss& loss) noexcept {
-    return loss.energy > 0 ? 2 * loss.energy / (loss.mass * loss.omega * loss.omega) : 0;
+    if (!(loss.energy > 0)) return 0;
+    const double square = 2 * loss.energy / (loss.mass * loss.omega * loss.omega);
+    return std::isnan(square) ? std::numeric_limits<double>::infinity() : square;
 }
 
 }  // namespace
@@ -40,7 +43,7 @@ double LostVibrations::amplitude() const noexcept {
 
 double LostVibrations::felt() const noexcept {
     const double lost = energy();
-    return lost > 0 ? motion_ * std::min(1.0, lost / turnover_) : 0;
+    return lost > 0 ? motion_ * std::min(1.0, std::isinf(lost) ? 1.0 : lost / turnover_) : 0;
 }
 
 Phase phase_of(const SpringSystem& system, std::span<const Vec3> x, std::span<const Vec3> v) {

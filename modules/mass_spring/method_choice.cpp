@@ -184,25 +184,33 @@ private:
         MethodTrial trial{way.pace.method, step, HUGE_VAL, run->cost};
         if (exact_) trial.error = difference(*run, *exact_);
         if (std::isnan(trial.error)) trial.error = HUGE_VAL;
-        if (!exact_ || trial.error <= 2 * exact_error_) trial.error = error_by_half(way, *run, trial.error);
+        if (!exact_ || trial.error <= 2 * exact_error_) judge_by_half(way, *run, trial);
         return trial;
     }
 
     /// By Richardson; the run at half the step is from then on what others are compared with.
-    double error_by_half(const Way& way, const Performance& run, double otherwise) {
+    void judge_by_half(const Way& way, const Performance& run, MethodTrial& trial) {
         if (exact_ && 2 * run.cost * static_cast<double>(rehearsal_.frames()) > work_left())
-            return otherwise + exact_error_;
+            return agree(trial);
         const Pace half{way.pace.method, 2 * way.pace.substeps};
         auto halved = rehearsal_.perform(half, {work_left(), std::numeric_limits<std::int64_t>::max()});
-        if (!halved) return exact_ ? otherwise + exact_error_ : HUGE_VAL;
+        if (!halved && exact_) return agree(trial);
+        trial.error = HUGE_VAL;
+        if (!halved) return;
         const double apart = difference(run, *halved);
-        if (!std::isfinite(apart)) return HUGE_VAL;
+        if (!std::isfinite(apart)) return;
         const double power = std::ldexp(1.0, run.order);
         exact_ = std::move(halved);
         exact_error_ = apart;
         exact_pace_ = half;
         reach_ = std::max(reach_, reach(*exact_, run_.x));
-        return apart * power / (power - 1);
+        trial.error = apart * power / (power - 1);
+    }
+
+    /// It is no farther from the most exact run than that may be off itself.
+    void agree(MethodTrial& trial) const {
+        trial.error += exact_error_;
+        trial.at_most = true;
     }
 
     /// As often as its order asks, or the budget allows; once where nothing is to be told by that.
@@ -275,7 +283,8 @@ private:
     std::string describe(const MethodTrial& tried) const {
         const MethodTrial trial = of_the_run(tried);
         return std::string(trial.method->name) + " at " + seconds_text(trial.step) + " (" +
-               number_text(trial.error) + " m, " + seconds_text(trial.cost) + " a frame)";
+               (trial.at_most ? "at most " : "") + number_text(trial.error) + " m, " +
+               seconds_text(trial.cost) + " a frame)";
     }
 
     std::string goal_text() const {

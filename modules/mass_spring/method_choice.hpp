@@ -18,9 +18,10 @@ struct ChoiceGoal {
 /// A method at a step, and what trials say of it.
 struct MethodTrial {
     const MethodInfo* method = nullptr;
-    double step = 0;   ///< s
-    double error = 0;  ///< m, of the run
-    double cost = 0;   ///< s a frame
+    double step = 0;       ///< s
+    double error = 0;      ///< m, of the run
+    double cost = 0;       ///< s a frame
+    bool at_most = false;  ///< nothing more exact was there to tell its error from; no work was left for it
 };
 
 struct MethodChoice {

@@ -51,11 +51,35 @@ void RunError::add(const FrameRun& frame, double omega) {
     const Stopwatch watch(seconds_);
     meter_.count_frame();
     if (followed_) follow(frame);
-    if (meter_.wants(frame.index)) redo(frame);
+    const Signs signs = signs_of(frame);
+    const bool wanted = meter_.wants(frame.index);
+    if (wanted || (judge_ == nullptr && stands_out(signs))) {
+        redo(frame, !wanted);
+        for (std::size_t i = 0; i < signs.size(); ++i) most_[i] = std::max(most_[i], signs[i]);
+    }
     keep_books(frame, omega);
 }
 
-void RunError::redo(const FrameRun& frame) {
+RunError::Signs RunError::signs_of(const FrameRun& frame) const noexcept {
+    // How far springs turn within the frame, as 1 - cos: what passes by another closely turns it about.
+    double turn = 0;
+    for (const Spring& s : system_->network().springs) {
+        const Vec3 before = frame.start_x[s.a] - frame.start_x[s.b], after = frame.x[s.a] - frame.x[s.b];
+        const double lengths = norm(before) * norm(after);
+        if (lengths > 0) turn = std::max(turn, 1 - dot(before, after) / lengths);
+    }
+    return {frame.told_error, turn, std::max(0.0, frame.balance.gain - frame.balance.rounding)};
+}
+
+bool RunError::stands_out(const Signs& signs) const noexcept {
+    constexpr double kMore = 2;          // times as much as any that was redone: few do, however long a run
+    constexpr Signs kLeast{0, 0.03, 0};  // a quarter of a radian is no event
+    for (std::size_t i = 0; i < signs.size(); ++i)
+        if (signs[i] > kMore * most_[i] && signs[i] > kLeast[i]) return true;
+    return false;
+}
+
+void RunError::redo(const FrameRun& frame, bool alone) {
     start_trial(frame);
     const bool redone =
         judge_ != nullptr ? judge(frame.steps) : run_frame(frame.steps, Steps::halved, trial_x_, trial_v_);
@@ -66,12 +90,14 @@ void RunError::redo(const FrameRun& frame) {
     } else if (judge_ != nullptr) {
         meter_.add_judged(frame.x, trial_x_, frame.v, trial_v_, frame_step_);
     } else {
-        meter_.add(frame.x, trial_x_, integrator_->order());
+        alone ? meter_.add_alone(frame.x, trial_x_, integrator_->order())
+              : meter_.add(frame.x, trial_x_, integrator_->order());
         halved_x_ = trial_x_;
         halved_v_ = trial_v_;
         halved_creep_.resize(frame.start_creep.size());
         system_->get_creep(halved_creep_);
         followed_ = true;
+        followed_alone_ = alone;
     }
 }
 
@@ -79,7 +105,8 @@ void RunError::follow(const FrameRun& frame) {
     followed_ = false;
     system_->set_creep(halved_creep_);
     if (run_frame(frame.steps, Steps::alike, halved_x_, halved_v_))
-        meter_.follow(frame.x, halved_x_, integrator_->order());
+        followed_alone_ ? meter_.follow_alone(frame.x, halved_x_, integrator_->order())
+                        : meter_.follow(frame.x, halved_x_, integrator_->order());
 }
 
 bool RunError::judge(std::int64_t steps) {

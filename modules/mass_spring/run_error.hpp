@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -26,6 +27,7 @@ struct FrameRun {
     std::span<const double> start_creep;
     Energy start_energy;
     EnergyBalance balance;
+    double told_error = 0;  ///< m, that its steps' embedded errors add up to; 0: they tell none
 };
 
 /// Estimates what a run is off by: redoes sampled frames at half the step, or by the method's judge, and once
@@ -47,8 +49,13 @@ public:
     std::size_t memory_bytes() const noexcept;
 
 private:
+    /// What tells a frame that errs more than others before it is redone.
+    using Signs = std::array<double, 3>;
+    Signs signs_of(const FrameRun& frame) const noexcept;
+    bool stands_out(const Signs& signs) const noexcept;
     void follow(const FrameRun& frame);
-    void redo(const FrameRun& frame);
+    /// `alone`: not as a sample of others.
+    void redo(const FrameRun& frame, bool alone);
     void keep_books(const FrameRun& frame, double omega);
     /// In so many steps; nothing where that is rounding, or the frame cannot be redone.
     Loss loss_of(const FrameRun& frame, std::int64_t steps, double omega);
@@ -74,6 +81,8 @@ private:
     std::vector<Vec3> halved_x_, halved_v_;  ///< at the end of the last one redone at half the step
     std::vector<double> halved_creep_;       ///< m
     bool followed_ = false;                  ///< whether the next frame goes on from there too
+    bool followed_alone_ = false;            ///< and that one stood out
+    Signs most_{};                           ///< of frames that were redone
     double seconds_ = 0;
 };
 

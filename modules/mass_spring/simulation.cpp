@@ -115,7 +115,7 @@ std::size_t Simulation::memory_bytes() const noexcept {
 }
 
 FrameRun Simulation::frame_run(std::uint64_t index, std::int64_t steps, const EnergyBalance& balance) const {
-    return {index, steps, start_x_, x_, start_v_, v_, creep_, start_energy_, balance};
+    return {index, steps, start_x_, x_, start_v_, v_, creep_, start_energy_, balance, 0};
 }
 
 void Simulation::advance(std::uint64_t frame, double time) {
@@ -151,7 +151,9 @@ void Simulation::advance_within_tolerance(std::uint64_t frame, double time) {
     set_substep(run.next);
     const EnergyBalance balance = balance_energy(*system_, start_energy_, start_x_, x_, v_);
     energy_gain_ += std::max(0.0, balance.gain);
-    error_.add(frame_run(frame, run.steps, balance), advice_.angular_frequency);
+    FrameRun taken = frame_run(frame, run.steps, balance);
+    taken.told_error = run.error;
+    error_.add(taken, advice_.angular_frequency);
 }
 
 void Simulation::advance_in_equal_steps(std::uint64_t frame, double time) {

@@ -122,7 +122,7 @@ private:
     RunError error_;
     Advice advice_;
     bool advice_holds_ = false;  ///< for the positions that the first frame starts from
-    double bound_step_ = 0;  ///< s, stable in every arrangement
+    double bound_step_ = 0;      ///< s, stable in every arrangement
     bool warned_ = false;
     bool warned_of_gain_ = false;
     double energy_gain_ = 0;

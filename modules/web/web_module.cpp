@@ -69,6 +69,7 @@ public:
         make_simulation();
         substep_[0] = substep;
         std::copy(creep.begin(), creep.end(), creep_.begin());
+        settings_.warn(choice_ + ": what trials say of this run does not count");
     }
 
     void report(ModuleReport& report) override {

@@ -27,7 +27,9 @@ constexpr const char* kAgain = "; bake it again with orbweaver-assets";
 /// A file's descriptor, closed in the end.
 class Descriptor {
 public:
-    explicit Descriptor(const std::string& path) : value_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    /// Does not wait for whoever writes into a pipe.
+    explicit Descriptor(const std::string& path)
+        : value_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
     ~Descriptor() {
         if (value_ >= 0) ::close(value_);
     }

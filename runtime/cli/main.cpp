@@ -77,6 +77,10 @@ void check_outputs(const RunSettings& settings) {
         throw CLI::ValidationError(option,
                                    fmt::format("'{}' is a file that {} writes; name another", path, other));
     };
+    for (const auto& [option, path] : outputs)
+        if (std::error_code ignored;
+            !path.empty() && std::filesystem::equivalent(path, settings.scene_path, ignored))
+            throw CLI::ValidationError(option, fmt::format("'{}' is the scene; name another", path));
     const std::string& trajectory = settings.trajectory_directory;
     std::map<std::filesystem::path, const char*> taken;
     for (const auto& [option, path] : outputs) {

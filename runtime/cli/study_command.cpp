@@ -17,7 +17,7 @@ accuracy   runs every method over a ladder of steps or tolerances, against a ref
            accuracy.json, accuracy.svg and index.html in DIR, and prints the cheapest way to each error. Usually
            1 s is simulated.
 stability  runs every method in each cell of a map over two options of the scene, and calls it stable, degraded,
-           diverged or refused. Leaves stability.csv (method,<axis>,<axis>,class,reason), stability.json,
+           diverged or refused, and says why. Leaves stability.csv (method,<axis>,<axis>,class), stability.json,
            stability.svg and index.html in DIR, the adviser's prediction drawn over each map. Usually 0.5 s is simulated.
 queries    asks the scene's surface the same seeded questions by every way there is: rays at random, at vertices and
            at edges, the polygon under bodies that walk, and under bodies just beyond an edge; against every triangle

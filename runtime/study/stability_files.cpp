@@ -174,12 +174,12 @@ std::string field(const std::string& text) {
 }  // namespace
 
 std::string stability_csv(const StabilityResult& result) {
-    std::string csv = fmt::format("method,{},{},class,reason\n", result.axes.x.path, result.axes.y.path);
+    std::string csv = fmt::format("method,{},{},class\n", result.axes.x.path, result.axes.y.path);
     const MapAxes& axes = result.axes;
     for (const StabilityMap& map : result.maps)
         for (std::size_t i = 0; i < map.cells.size(); ++i)
-            csv += fmt::format("{},{},{},{},{}\n", map.method, field(axes.x.text(axes.column(i))),
-                               field(axes.y.text(axes.row(i))), to_string(map.cells[i]), field(map.reasons[i]));
+            csv += fmt::format("{},{},{},{}\n", map.method, field(axes.x.text(axes.column(i))),
+                               field(axes.y.text(axes.row(i))), to_string(map.cells[i]));
     return csv;
 }
 

@@ -31,6 +31,8 @@ mesh::Validation bake_mesh(const std::string& source, const mesh::Recipe& recipe
                            const std::string& output) {
     if (is_baked_file(source))
         throw Fault(FaultKind::invalid, source + ": is baked already; name what it was made from");
+    if (std::error_code ignored; fs::equivalent(source, output, ignored))
+        throw Fault(FaultKind::invalid, output + ": is what is to be baked; name another file to write");
     const ImportedMesh imported = import_mesh(source, limits);
     mesh::Validation validation;
     const mesh::SurfaceMeshData built = mesh::build_surface_mesh(imported.raw, recipe, source, validation);

@@ -100,10 +100,12 @@ ImportedMesh import_here(const std::string& path) {
                                     aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     const aiScene* scene = importer.ReadFile(path, aiProcess_RemoveComponent);
+    const std::string why = importer.GetErrorString();
+    if (scene == nullptr && why.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
     if (scene == nullptr || scene->mRootNode == nullptr)
-        throw Fault(FaultKind::invalid,
-                    fmt::format("{}: cannot be imported: {}; export the mesh again, or in another format", path,
-                                importer.GetErrorString()));
+        throw Fault(
+            FaultKind::invalid,
+            fmt::format("{}: cannot be imported: {}; export the mesh again, or in another format", path, why));
     std::erase(read, path);
     return {Flattener(*scene).flatten(), std::move(read)};
 }

@@ -130,13 +130,25 @@ TEST_CASE("what cannot be imported is refused in words", "[unit]") {
              {"m.obj", "v 0 0 0\nf 1 2 3\n"},
              {"m.unknown", "v 0 0 0"},
              {"m.stl", std::string(84, '\xff')},
-             {"m.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n"},
              {"m.gltf",
               "{\"asset\": {\"version\": \"2.0\"}, \"buffers\": [{\"uri\": \"no.bin\", \"byteLength\": 9}]}"},
              {"m.glb", "glTF\x02" + std::string(40, '\xff')}}) {
         INFO(name << ": " << text);
         CHECK(sentence(folder.write(name, text)).find("; export the mesh again, or in another format") !=
               std::string::npos);
+    }
+}
+
+TEST_CASE("a mesh that says it is larger than memory is a limit that was hit", "[unit]") {
+    const test::Folder folder;
+    const std::string path = folder.write(
+        "m.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n");
+    try {
+        import_mesh(path, kLimits);
+        FAIL("it was imported");
+    } catch (const Fault& fault) {
+        CHECK(fault.kind() == FaultKind::limit);
+        CHECK(std::string(fault.what()).find("takes more than") != std::string::npos);
     }
 }
 
