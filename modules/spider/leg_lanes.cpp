@@ -54,8 +54,8 @@ ORBWEAVER_AVX512 void avx512(const LaneBlock& legs, const double* targets, const
 
 bool has_avx512() noexcept {
 #if defined(__x86_64__)
-    return has_avx2() && __builtin_cpu_supports("avx512f") != 0 &&
-           __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0;
+    return has_avx2() && __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+           __builtin_cpu_supports("avx512vl") != 0;
 #else
     return false;
 #endif

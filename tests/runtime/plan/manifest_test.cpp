@@ -120,7 +120,7 @@ TEST_CASE("a manifest that is wrong says where and how", "[extreme]") {
          "id = \"a\"\nversion = \"1\"\n[options.x]\ntype = \"colour\"\nunit = \"parsec\"\nlength = -1\n",
          {"m.toml:3:1: option 'x' has no type 'colour'; expected one of boolean, integer, number, text, "
           "choice, vector, "
-          "vectors, numbers, file, preset",
+          "vectors, numbers, file, preset, named",
           "m.toml:3:1: option 'x' has the unknown unit 'parsec'",
           "m.toml:3:1: option 'x' has a length of -1; expected a count",
           "m.toml:3:1: 'meaning' is missing; expected a text"}},

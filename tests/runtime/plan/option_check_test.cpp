@@ -207,7 +207,7 @@ TEST_CASE("a value that is wrong is named with its place and what would be right
         {"drga = 1",
          "1:1: there is no option 'drga'; expected one of flag, count, drag, ratio, angle, name, mode, place, "
          "anchors, "
-         "size, weights, network, species, camera or material; did you mean 'drag'?"},
+         "size, weights, network, species, creature, camera or material; did you mean 'drag'?"},
         {"camera.fow = 1",
          "1:8: there is no option 'camera.fow'; expected one of fov or lens; did you mean 'camera.fov'?"},
         {"camera = 1", "1:10: 'camera' is 1; expected a table"},
