@@ -42,8 +42,7 @@ Conduct conduct_of(const Host& host, const Species& species) {
     conduct.wander.displacement = options.number("wander.displacement");
     conduct.wander.rate = options.number("wander.rate");
     conduct.rests = options.flag("rests");
-    constexpr double kDegrees = 57.29577951308232;
-    conduct.turn_rate = options.number("turn_rate") * kDegrees;
+    conduct.turn_rate = options.number("turn_rate");
     conduct.gravity = host.scene().gravity;
     return conduct;
 }
