@@ -8,12 +8,6 @@
 namespace orbweaver::mass_spring {
 namespace {
 
-double largest_distance(std::span<const Vec3> a, std::span<const Vec3> b) noexcept {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, distance(a[i], b[i]));
-    return largest;
-}
-
 double richardson(std::span<const Vec3> whole, std::span<const Vec3> halved, int order) noexcept {
     const double power = std::ldexp(1.0, order);
     return power / (power - 1) * largest_distance(whole, halved);

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "larger.hpp"
 #include "quantity.hpp"
 
 namespace orbweaver::mass_spring {
@@ -23,12 +22,6 @@ private:
     double& seconds_;
     Clock::time_point start_ = Clock::now();
 };
-
-double largest_distance(std::span<const Vec3> a, std::span<const Vec3> b) noexcept {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) largest = larger(largest, distance(a[i], b[i]));
-    return largest;
-}
 
 }  // namespace
 
@@ -51,9 +44,9 @@ void RunError::add(const FrameRun& frame, double omega) {
     const Stopwatch watch(seconds_);
     meter_.count_frame();
     if (followed_) follow(frame);
-    const Signs signs = signs_of(frame);
+    const Signs signs = judge_ == nullptr ? signs_of(frame) : Signs{};
     const bool wanted = meter_.wants(frame.index);
-    if (wanted || (judge_ == nullptr && stands_out(signs))) {
+    if (wanted || stands_out(signs)) {
         redo(frame, !wanted);
         for (std::size_t i = 0; i < signs.size(); ++i) most_[i] = std::max(most_[i], signs[i]);
     }
@@ -179,9 +172,11 @@ std::string RunError::how() const {
 
 std::size_t RunError::memory_bytes() const noexcept {
     const std::size_t judge = judge_ != nullptr ? judge_->memory_bytes() : 0;
-    return judge + (first_x_.capacity() + trial_x_.capacity() + trial_v_.capacity() + halved_x_.capacity() +
-                    halved_v_.capacity()) *
-                       sizeof(Vec3);
+    return judge +
+           (first_x_.capacity() + trial_x_.capacity() + trial_v_.capacity() + halved_x_.capacity() +
+            halved_v_.capacity()) *
+               sizeof(Vec3) +
+           halved_creep_.capacity() * sizeof(double);
 }
 
 }  // namespace orbweaver::mass_spring

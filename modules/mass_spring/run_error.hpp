@@ -30,8 +30,8 @@ struct FrameRun {
     double told_error = 0;  ///< m, that its steps' embedded errors add up to; 0: they tell none
 };
 
-/// Estimates what a run is off by: redoes sampled frames at half the step, or by the method's judge, and once
-/// more with books of energy. The run itself stays as it is: what is here is no state.
+/// Estimates what a run is off by: redoes sampled frames, and those that stand out, at half the step, or by the
+/// method's judge, and once more with books of energy. The run itself stays as it is: what is here is no state.
 class RunError {
 public:
     /// Whose settings, system and integrator outlive it; x (m) is where the run begins.

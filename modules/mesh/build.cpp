@@ -124,7 +124,11 @@ void set_properties(const RawMesh& raw, const Recipe& recipe, const std::string&
     for (const auto& [material, property] : recipe.properties)
         if (std::find(names.begin(), names.end(), material) == names.end()) {
             std::string known;
-            for (const std::string& each : names) known += (known.empty() ? "'" : ", '") + each + "'";
+            for (const std::string& each : names) {
+                known += known.empty() ? "'" : ", '";
+                known += each;
+                known += "'";
+            }
             throw Fault(FaultKind::invalid,
                         name + ": there is no material '" + material + "'; expected one of " + known);
         }

@@ -13,14 +13,6 @@ constexpr double kLandingTime = 0.12;  // s
 constexpr double kTurnRate = 0.5;      // of a cycle a second, of gaits that change
 constexpr double kLift = 0.3;          // of the body's height, of a swing
 
-Vec3 across(const Vec3& v, const Vec3& unit) noexcept { return v - dot(v, unit) * unit; }
-
-double mean_leg(const Species& species) noexcept {
-    double sum = 0;
-    for (const Limb& limb : species.limbs) sum += limb.leg.length;
-    return sum / static_cast<double>(species.limbs.size());
-}
-
 double body_length(const Species& species) noexcept {
     return species.body.head.x + species.body.thorax.x + species.body.abdomen.x;
 }
@@ -73,26 +65,16 @@ Vec3 wish(const Conduct& conduct, const Company& company, const Feel& feel, doub
     const std::array<Wish, 2> wishes{
         {{wander(agent, ahead, conduct.wander, company.random, dt, state.wander), 1},
          {keep_apart(agent, company.near, company.keep_apart), 3}}};
-    Vec3 sum;
-    double weights = 0;
-    for (const Wish& each : wishes) {
-        if (each.velocity == Vec3{}) continue;
-        sum += each.weight * each.velocity;
-        weights += each.weight;
-    }
-    return weights > 0 ? sum / weights : Vec3{};
+    return blend(agent, wishes);
 }
 
 void steer(const Conduct& conduct, const Company& company, const Feel& feel, double reach, double dt,
            CreatureState& state) noexcept {
     if (conduct.rests) advance_pauses(conduct.pauses, company.random, dt, state.pause);
     const Vec3 wanted = state.pause.stands ? Vec3{} : wish(conduct, company, feel, reach, dt, state);
-    Vec3 signal = (wanted - state.ground.velocity) / conduct.response;
-    const double size = norm(signal);
-    if (size > conduct.strength) signal *= conduct.strength / size;
     const Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
                       conduct.pace.top_speed};
-    state.ground.velocity = accelerate(agent, signal, dt);
+    state.ground.velocity = accelerate(agent, control(agent, wanted, conduct.response, conduct.strength), dt);
 }
 
 void begin_swing(const Surface& surface, const Conduct& conduct, const Limb& limb, const BodyPose& body,
@@ -226,15 +208,14 @@ void place_creature(const Surface& surface, const Conduct& conduct, const Footin
 void advance_creature(const Surface& surface, const Conduct& conduct, const Company& company, double dt,
                       CreatureState& state, CreatureMeasures& measures) noexcept {
     const Species& species = *conduct.species;
-    const double reach = std::max(body_length(species), 0.6 * mean_leg(species));
+    const double reach = std::max(body_length(species), 0.6 * mean_leg_length(species));
     const Feel feel = feel_ahead(surface, state.ground, reach);
     steer(conduct, company, feel, reach, dt, state);
     if (move(surface, dt, state.ground) == MoveEnd::lost) ++measures.lost_frames;
     const double most = conduct.turn_rate * dt;
     face_ahead(most, state.ground);
     const Vec3 before = state.turn.up;
-    const Feel here = feel_ahead(surface, state.ground, reach);
-    turn_up(here.up, state.ground.facing, conduct.turn_curve, conduct.turn_steps, most, state.turn);
+    turn_up(feel.up, state.ground.facing, conduct.turn_curve, conduct.turn_steps, most, state.turn);
     const auto feet = state.feet;
     const auto progress = state.progress;
     step_feet(surface, conduct, dt, state, measures);
@@ -248,12 +229,12 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
     measures.distance += norm(state.ground.velocity) * dt;
     measures.worst_turn = std::max(measures.worst_turn, degrees_between(before, state.turn.up));
     const BodyPose body = pose_of(conduct, state);
-    const SurfaceHit below = surface.first_hit({body.position, -1 * body.up, 2 * species.height});
-    if (below.answer != Answer::found) {
-        const SurfaceHit nearest = surface.closest_point(body.position, 4 * species.height);
-        const double height = nearest.answer == Answer::found ? nearest.distance : species.height;
-        measures.worst_penetration = std::max(measures.worst_penetration, species.body.thorax.y / 2 - height);
-    }
+    const SurfaceHit nearest = surface.closest_point(body.position, 4 * species.height);
+    if (nearest.answer != Answer::found) return;
+    const Vec3 away = body.position - surface.position(nearest.at);
+    const Vec3 outward = state.ground.footing.side * surface.normal(nearest.at.face);
+    const double height = dot(away, outward) < 0 ? -nearest.distance : nearest.distance;
+    measures.worst_penetration = std::max(measures.worst_penetration, species.body.thorax.y / 2 - height);
 }
 
 double stability_margin(const Conduct& conduct, const CreatureState& state) noexcept {

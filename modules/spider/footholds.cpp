@@ -5,8 +5,6 @@
 namespace orbweaver::spider {
 namespace {
 
-Vec3 across(const Vec3& v, const Vec3& unit) noexcept { return v - dot(v, unit) * unit; }
-
 Foothold from_hit(const Surface& surface, const SurfaceHit& hit, const Vec3& up) noexcept {
     if (hit.answer != Answer::found) return {};
     const Vec3 normal = surface.normal(hit.at.face);

@@ -8,8 +8,6 @@
 namespace orbweaver::spider {
 namespace {
 
-Vec3 across(const Vec3& v, const Vec3& unit) noexcept { return v - dot(v, unit) * unit; }
-
 /// A vector that lies in one footing's plane, as the same in another's.
 Vec3 carried(const Vec3& v, const Footing& from, const Footing& to) noexcept {
     const Vec3 left = cross(from.up, from.forward), other_left = cross(to.up, to.forward);

@@ -2,6 +2,12 @@
 
 namespace orbweaver::spider {
 
+double mean_leg_length(const Species& species) noexcept {
+    double sum = 0;
+    for (const Limb& limb : species.limbs) sum += limb.leg.length;
+    return sum / static_cast<double>(species.limbs.size());
+}
+
 Vec3 to_limb(const Limb& limb, const Vec3& point) noexcept {
     const Vec3 d = point - limb.base;
     return {dot(d, limb.axes.x), dot(d, limb.axes.y), dot(d, limb.axes.z)};

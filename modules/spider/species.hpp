@@ -40,6 +40,9 @@ struct Species {
     double height = 0;        ///< m; the thorax's middle above the feet at rest, on average
 };
 
+/// m, of legs that are there.
+double mean_leg_length(const Species& species) noexcept;
+
 /// A point from the body's frame into a limb's, and back.
 Vec3 to_limb(const Limb& limb, const Vec3& point) noexcept;
 Vec3 to_body(const Limb& limb, const Vec3& point) noexcept;

@@ -15,15 +15,9 @@
 namespace orbweaver::spider {
 namespace {
 
-double mean_leg(const Species& species) {
-    double sum = 0;
-    for (const Limb& limb : species.limbs) sum += limb.leg.length;
-    return sum / static_cast<double>(species.limbs.size());
-}
-
 PaceRange pace_of(const Options& options, const Species& species) {
     constexpr double kLegsASecond = 3, kShortest = 0.2, kLongest = 0.55;  // of a leg
-    const double leg = mean_leg(species);
+    const double leg = mean_leg_length(species);
     PaceRange pace{options.has("speed") ? options.number("speed") : kLegsASecond * leg, kShortest * leg,
                    kLongest * leg, 0.75, 0.62};
     if (options.has("duty")) pace.slow_duty = pace.fast_duty = options.number("duty");
@@ -70,7 +64,7 @@ public:
     }
 
     void run(Phase, const orbweaver::Frame& frame) override {
-        const double reach = 1.5 * mean_leg(species_);
+        const double reach = 1.5 * mean_leg_length(species_);
         if (creatures_.size() > 1) neighbors_.gather(position_, reach);
         auto advance = [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) advance_one(i, reach, frame.step);

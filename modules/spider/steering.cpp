@@ -6,8 +6,6 @@
 namespace orbweaver::spider {
 namespace {
 
-Vec3 across(const Vec3& v, const Vec3& unit) noexcept { return v - dot(v, unit) * unit; }
-
 /// Of that length, or nothing where v has no direction.
 Vec3 scaled_to(const Vec3& v, double length) noexcept {
     const double own = norm(v);
@@ -106,7 +104,7 @@ Vec3 keep_apart(const Agent& agent, std::span<const Vec3> others, double reach) 
     return at_most(agent.top_speed * sum, agent.top_speed);
 }
 
-Vec3 control(const Agent& agent, std::span<const Wish> wishes, double response, double strength) noexcept {
+Vec3 blend(const Agent& agent, std::span<const Wish> wishes) noexcept {
     Vec3 sum;
     double weights = 0;
     for (const Wish& wish : wishes) {
@@ -114,8 +112,10 @@ Vec3 control(const Agent& agent, std::span<const Wish> wishes, double response, 
         sum += wish.weight * wish.velocity;
         weights += wish.weight;
     }
-    if (weights == 0) return {};
-    const Vec3 wanted = at_most(sum / weights, agent.top_speed);
+    return weights > 0 ? at_most(sum / weights, agent.top_speed) : agent.velocity;
+}
+
+Vec3 control(const Agent& agent, const Vec3& wanted, double response, double strength) noexcept {
     return at_most((wanted - agent.velocity) / response, strength);
 }
 

@@ -47,9 +47,11 @@ struct Wish {
     Vec3 velocity;      ///< m/s; nothing: does not count
     double weight = 0;  ///< >= 0
 };
-/// The one control signal, m/s^2: what brings the agent from its velocity to the weighted mean of wishes within
-/// `response` s, no more than `strength` m/s^2. Without a wish it goes on as it does.
-Vec3 control(const Agent& agent, std::span<const Wish> wishes, double response, double strength) noexcept;
+/// m/s: the weighted mean of wishes; where there is none, the agent goes on as it does.
+Vec3 blend(const Agent& agent, std::span<const Wish> wishes) noexcept;
+/// The one control signal, m/s^2: what brings the agent to a velocity that is wanted (m/s) within `response` s,
+/// no more than `strength` m/s^2.
+Vec3 control(const Agent& agent, const Vec3& wanted, double response, double strength) noexcept;
 
 /// Forward Euler over dt seconds, as the paper moves its creature's point mass: the velocity after it, across
 /// up and no faster than the top speed.

@@ -31,9 +31,6 @@ SwingPoint creep(double s) noexcept {
     return {1 - (1 - smooth(s)) * (1 - smooth(s)), late};
 }
 
-/// v without its part along `unit`.
-Vec3 across(const Vec3& v, const Vec3& unit) noexcept { return v - dot(v, unit) * unit; }
-
 /// Unit, or nothing where there is no direction.
 Vec3 direction_of(const Vec3& v) noexcept {
     constexpr double kLeast = 1e-9;

@@ -2,23 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace orbweaver::study {
-
-namespace {
-
-/// Not a number counts as infinitely far: it must not be overlooked by comparisons.
-double largest_distance(std::span<const Vec3> a, std::span<const Vec3> b) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        const double d = norm(a[i] - b[i]);
-        largest = std::max(largest, std::isfinite(d) ? d : std::numeric_limits<double>::infinity());
-    }
-    return largest;
-}
-
-}  // namespace
 
 std::vector<double> distances(const Motion& a, const Motion& b) {
     std::vector<double> all(std::min(a.rows(), b.rows()));

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 namespace orbweaver {
@@ -47,8 +48,21 @@ constexpr Vec3 cross(const Vec3& a, const Vec3& b) noexcept {
 }
 inline double norm(const Vec3& a) noexcept { return std::sqrt(dot(a, a)); }
 inline double distance(const Vec3& a, const Vec3& b) noexcept { return norm(a - b); }
+/// v without its part along `unit`, which has length 1.
+constexpr Vec3 across(const Vec3& v, const Vec3& unit) noexcept { return v - dot(v, unit) * unit; }
 inline bool is_finite(const Vec3& a) noexcept {
     return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+
+/// Between each of `a` and its fellow in `b`, the farthest. Not a number counts as infinitely far: comparisons
+/// must not overlook it.
+inline double largest_distance(std::span<const Vec3> a, std::span<const Vec3> b) noexcept {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double each = distance(a[i], b[i]);
+        if (!(each <= largest)) largest = std::isfinite(each) ? each : std::numeric_limits<double>::infinity();
+    }
+    return largest;
 }
 
 /// The same memory as 3 n doubles, for algorithms that treat a state as one flat vector.

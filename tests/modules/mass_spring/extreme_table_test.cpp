@@ -145,12 +145,6 @@ std::vector<Column> columns(OnUnstable policy) {
     return all;
 }
 
-double largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, distance(a[i], b[i]));
-    return largest;
-}
-
 bool all_finite(const Body& body) {
     const auto finite = [](const Vec3& each) { return is_finite(each); };
     return std::all_of(body.x.begin(), body.x.end(), finite) &&

@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "bodies.hpp"
 #include "orbweaver/fault.hpp"
@@ -98,4 +100,25 @@ TEST_CASE("extreme constants are refused or substepped, never run into nonsense"
         INFO(each.name);
         CHECK(outcome_of(each.body, each.method, each.step, each.policy) == each.outcome);
     }
+}
+
+TEST_CASE("what a sweep over the springs leaves undone is redone at shorter steps, and the warning says so",
+          "[unit]") {
+    // A taut string of stiff links, let go: one sweep carries a correction a few links far.
+    Body body = bodies::bead_string(40, 0.01, 1e-6, 1e3, 0.5);
+    for (std::size_t i = 1; i + 1 < body.x.size(); ++i) body.x[i].y += 0.002;
+    SpringSystem system(body.network, nullptr);
+    std::vector<std::string> warnings;
+    SimulationSettings settings;
+    settings.method = find_method("xpbd");
+    settings.step = 1e-3;
+    settings.warn = [&](const std::string& sentence) { warnings.push_back(sentence); };
+    Simulation run(system, settings, 1.0 / 60, body.x, body.v);
+    for (std::uint64_t i = 0; i < 4; ++i) run.advance(i, static_cast<double>(i) / 60);
+    REQUIRE(warnings.size() == 1);
+    INFO(warnings[0]);
+    CHECK(warnings[0].find("xpbd corrects each spring once a step, which left too much undone") !=
+          std::string::npos);
+    CHECK(warnings[0].find("on_unstable = \"as_asked\" keeps the steps") != std::string::npos);
+    CHECK(run.substep() < 1e-3);
 }

@@ -251,25 +251,6 @@ TEST_CASE("a state that another method saved goes on at steps of its own", "[uni
     CHECK(run.substep() == own);
 }
 
-TEST_CASE("what a sweep over the springs leaves undone is redone at shorter steps, and the warning says so",
-          "[unit]") {
-    // A taut string of stiff links, let go: one sweep carries a correction a few links far.
-    Body body = bodies::bead_string(40, 0.01, 1e-6, 1e3, 0.5);
-    for (std::size_t i = 1; i + 1 < body.x.size(); ++i) body.x[i].y += 0.002;
-    SpringSystem system(body.network, nullptr);
-    std::vector<std::string> warnings;
-    SimulationSettings settings = settings_for("xpbd", 1e-3, OnUnstable::substep);
-    settings.warn = [&](const std::string& sentence) { warnings.push_back(sentence); };
-    Simulation run(system, settings, 1.0 / 60, body.x, body.v);
-    for (std::uint64_t i = 0; i < 4; ++i) run.advance(i, static_cast<double>(i) / 60);
-    REQUIRE(warnings.size() == 1);
-    INFO(warnings[0]);
-    CHECK(warnings[0].find("xpbd corrects each spring once a step, which left too much undone") !=
-          std::string::npos);
-    CHECK(warnings[0].find("on_unstable = \"as_asked\" keeps the steps") != std::string::npos);
-    CHECK(run.substep() < 1e-3);
-}
-
 TEST_CASE("the error estimate is of the size of the error", "[unit]") {
     // Undamped oscillator against x = 1 + 0.1 cos(omega t). RK4's phase error grows steadily, as the estimate
     // assumes, but shows fully only at some phases: a factor of 3 either way on the largest seen. Most of

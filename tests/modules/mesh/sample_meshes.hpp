@@ -23,6 +23,12 @@ inline mesh::SurfaceMeshData build(const mesh::RawMesh& raw) {
     return build(raw, ignored);
 }
 
+inline mesh::Validation validation_of(const mesh::RawMesh& raw) {
+    mesh::Validation validation;
+    build(raw, validation);
+    return validation;
+}
+
 /// A surface cut out of paper: four points in a square, y = 0.
 inline const std::vector<Vec3> kSquare = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 

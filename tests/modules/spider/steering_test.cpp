@@ -19,7 +19,7 @@ template <class Behavior>
 Agent run(Agent agent, double seconds, Behavior behavior) {
     for (int i = 0; i < std::lround(seconds / kFrame); ++i) {
         const Wish wish{behavior(agent), 1};
-        agent.velocity = accelerate(agent, control(agent, {&wish, 1}, 0.1, 5), kFrame);
+        agent.velocity = accelerate(agent, control(agent, blend(agent, {&wish, 1}), 0.1, 5), kFrame);
         agent.position += kFrame * agent.velocity;
     }
     return agent;
@@ -100,11 +100,11 @@ TEST_CASE("neighbors are kept at a distance, the nearer the harder", "[unit]") {
 TEST_CASE("wishes count by their weights, those without a wish not at all, and force is limited", "[unit]") {
     const Agent agent = agent_at({}, {0.1, 0, 0});
     const std::array<Wish, 3> wishes{{{{0.3, 0, 0}, 1}, {{0, 0, 0.4}, 3}, {{}, 100}}};
-    const Vec3 signal = control(agent, wishes, 0.5, 100);
+    const Vec3 signal = control(agent, blend(agent, wishes), 0.5, 100);
     CHECK(signal.x == Approx((0.075 - 0.1) / 0.5));
     CHECK(signal.z == Approx(0.3 / 0.5));
-    CHECK(norm(control(agent, wishes, 0.5, 0.2)) == Approx(0.2));
-    CHECK(control(agent, {}, 0.5, 1) == Vec3{});
+    CHECK(norm(control(agent, blend(agent, wishes), 0.5, 0.2)) == Approx(0.2));
+    CHECK(control(agent, blend(agent, {}), 0.5, 1) == Vec3{});
 }
 
 TEST_CASE("a sharp corner nearby slows, a gentle or distant one does not", "[unit]") {

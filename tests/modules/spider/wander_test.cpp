@@ -24,7 +24,7 @@ Turning walk(const WanderSettings& settings, std::uint64_t seed) {
     Turning turning;
     for (int i = 0; i < kFrames; ++i) {
         const Wish wish{wander(agent, forward, settings, random, kFrame, state), 1};
-        agent.velocity = accelerate(agent, control(agent, {&wish, 1}, 0.15, 10), kFrame);
+        agent.velocity = accelerate(agent, control(agent, blend(agent, {&wish, 1}), 0.15, 10), kFrame);
         const Vec3 next = norm(agent.velocity) > 0 ? agent.velocity / norm(agent.velocity) : forward;
         const double turn = std::asin(std::min(1.0, norm(cross(forward, next))));
         turning.mean += turn / kFrames;
