@@ -163,6 +163,36 @@ void reach_feet(const Surface& surface, const Conduct& conduct, CreatureState& s
     }
 }
 
+/// The body's middle, seen from the surface nearest to it.
+struct Standoff {
+    double height =
+        0;      ///< m; below 0 where the surface lies between it and the ground that the creature stands on
+    Vec3 away;  ///< m, from the surface to it
+};
+
+Standoff standoff_of(const Surface& surface, const Conduct& conduct, const CreatureState& state) noexcept {
+    constexpr double kOff = 1e-6;  // of the height, so that a ray does not begin in the ground
+    const double height = conduct.species->height;
+    const Vec3 middle = pose_of(conduct, state).position;
+    const SurfaceHit nearest = surface.closest_point(middle, 4 * height);
+    if (nearest.answer != Answer::found) return {height, {}};
+    const Footing& ground = state.ground.footing;
+    const Vec3 start = ground.position + kOff * height * ground.up;
+    const bool beyond = surface.first_hit({start, middle - start, 1}).answer == Answer::found;
+    return {beyond ? -nearest.distance : nearest.distance, middle - surface.position(nearest.at)};
+}
+
+/// Moves the body off walls and edges that its up has not turned for yet.
+void keep_off(const Surface& surface, const Conduct& conduct, CreatureState& state) noexcept {
+    constexpr double kLeastHeight = 0.5;  // of its height
+    state.shift = {};
+    const Standoff standoff = standoff_of(surface, conduct, state);
+    const double length = norm(standoff.away),
+                 missing = kLeastHeight * conduct.species->height - standoff.height;
+    if (missing <= 0 || length == 0) return;
+    state.shift = (missing / (standoff.height < 0 ? -length : length)) * standoff.away;
+}
+
 }  // namespace
 
 BodyPose pose_of(const Conduct& conduct, const CreatureState& state) noexcept {
@@ -174,7 +204,7 @@ BodyPose pose_of(const Conduct& conduct, const CreatureState& state) noexcept {
     pose.forward = length > 1e-6 ? ahead / length : -1 * state.ground.footing.up;
     pose.forward = across(pose.forward, pose.up) / norm(across(pose.forward, pose.up));
     pose.right = cross(pose.forward, pose.up);
-    pose.position = state.ground.footing.position + conduct.species->height * pose.up;
+    pose.position = state.ground.footing.position + conduct.species->height * pose.up + state.shift;
     return pose;
 }
 
@@ -216,6 +246,7 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
     face_ahead(most, state.ground);
     const Vec3 before = state.turn.up;
     turn_up(feel.up, state.ground.facing, conduct.turn_curve, conduct.turn_steps, most, state.turn);
+    keep_off(surface, conduct, state);
     const auto feet = state.feet;
     const auto progress = state.progress;
     step_feet(surface, conduct, dt, state, measures);
@@ -228,13 +259,8 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
     measures.least_margin = std::min(measures.least_margin, stability_margin(conduct, state));
     measures.distance += norm(state.ground.velocity) * dt;
     measures.worst_turn = std::max(measures.worst_turn, degrees_between(before, state.turn.up));
-    const BodyPose body = pose_of(conduct, state);
-    const SurfaceHit nearest = surface.closest_point(body.position, 4 * species.height);
-    if (nearest.answer != Answer::found) return;
-    const Vec3 away = body.position - surface.position(nearest.at);
-    const Vec3 outward = state.ground.footing.side * surface.normal(nearest.at.face);
-    const double height = dot(away, outward) < 0 ? -nearest.distance : nearest.distance;
-    measures.worst_penetration = std::max(measures.worst_penetration, species.body.thorax.y / 2 - height);
+    measures.worst_penetration = std::max(
+        measures.worst_penetration, species.body.thorax.y / 2 - standoff_of(surface, conduct, state).height);
 }
 
 double stability_margin(const Conduct& conduct, const CreatureState& state) noexcept {

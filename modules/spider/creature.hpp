@@ -51,6 +51,7 @@ struct Foot {
 struct CreatureState {
     Ground ground;
     UpTurn turn;
+    Vec3 shift;  ///< m, by which the body keeps off what it would come too near to
     WanderState wander;
     PauseState pause;
     double phase = 0;

@@ -22,7 +22,7 @@ void each_number(CreatureState& state, std::size_t legs, Each&& each) {
     each(footing.side);
     for (Vec3* v :
          {&footing.forward, &footing.position, &footing.up, &state.ground.velocity, &state.ground.facing,
-          &state.turn.up, &state.turn.from, &state.turn.to, &state.wander.point})
+          &state.shift, &state.turn.up, &state.turn.from, &state.turn.to, &state.wander.point})
         vector(*v);
     each(state.turn.step);
     each(state.turn.steps);
