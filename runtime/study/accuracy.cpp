@@ -68,12 +68,11 @@ private:
     void find_horizon() {
         const Rung rung = twin_rung(subject_, [&](const std::string& name) { return coarsest(name); });
         const std::string& method = rung.method;
-        const Deadline share = deadline_.share(kReferenceShare);
         TrialPlan plan{subject_.overrides(rung), result_.duration_s};
-        const Trial trial = run_trial(settings_, subject_, plan, share);
+        const Trial trial = run_trial(settings_, subject_, plan, deadline_);
         if (trial.ending != Ending::done) give_up(method, trial);
-        plan.offsets = free_offsets(settings_, subject_, plan.overrides, kDisplacement, share);
-        const Trial twin = run_trial(settings_, subject_, plan, share);
+        plan.offsets = free_offsets(settings_, subject_, plan.overrides, kDisplacement, deadline_);
+        const Trial twin = run_trial(settings_, subject_, plan, deadline_);
         if (twin.ending != Ending::done) give_up(method, twin);
         result_.conditioning = judge(trial.motion, twin.motion);
         result_.conditioning.rung = rung;

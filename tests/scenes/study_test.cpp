@@ -60,8 +60,11 @@ TEST_CASE("twins of two methods that may go by tolerance are run by equal steps"
 TEST_CASE("the web of the thesis leaves its horizon within tenths of a second, and is compared beyond it",
           "[scene]") {
     StudiedScene scene("thesis_web", {"symplectic_euler"});
-    scene.shorten("0.2");
-    scene.deadline = deadline_in(30, scene.interrupt);
+    scene.shorten("0.1");
+    scene.settings.run.overrides.insert(scene.settings.run.overrides.end(),
+                                        {"scene.step=10 ms", "web.spiral.density=1",
+                                         "web.spokes.placement=14 mm", "web.outer_frame.placement=10 mm"});
+    scene.deadline = deadline_in(40, scene.interrupt);
     const AccuracyResult result = study_accuracy(scene.settings, Subject(scene.settings), scene.deadline);
     CHECK_FALSE(result.conditioning.whole);
     CHECK(result.conditioning.horizon_s < 0.1);
