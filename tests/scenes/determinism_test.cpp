@@ -39,7 +39,7 @@ std::string hash_by_program(const std::string& scene, const std::vector<std::str
                             const std::string& environment) {
     const Folder folder("determinism");
     std::string arguments =
-        "run " + scene_path(scene) + " --duration 0.05 --quiet --report " + folder.path("report.json");
+        "run " + scene_path(scene) + " --duration 0.034 --quiet --report " + folder.path("report.json");
     for (const std::string& each : overrides) arguments += " --set " + each;
     const Outcome outcome = run_program(arguments, environment);
     INFO(outcome.text);
