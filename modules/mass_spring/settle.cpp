@@ -99,10 +99,11 @@ private:
             for (std::size_t i = 0; i < x_.size(); ++i) trial_[i] = x_[i] + length * step_[i];
             const double energy_there = energy(trial_);
             const double residual_there = residual(trial_);
-            // Near rest the energy no longer tells: its changes are below its rounding.
-            const bool down = energy_there <= energy_ - kEnough * length * slope;
-            const bool calmer = residual_there < 0.5 * residual_ && shift_ == 0;
-            if (!down && !calmer) continue;
+            // Near rest changes of the energy are below its rounding, and the residual alone tells.
+            const bool tells = length * slope > 1e-14 * std::abs(energy_);
+            const bool down = tells && energy_there <= energy_ - kEnough * length * slope;
+            const bool halved = residual_there < 0.5 * residual_ && (shift_ == 0 || !tells);
+            if (!down && !halved) continue;
             std::copy(trial_.begin(), trial_.end(), x_.begin());
             energy_ = energy_there;
             residual_ = residual_there;

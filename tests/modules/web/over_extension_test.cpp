@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "mass_spring/relax.hpp"
+#include "mass_spring/settle.hpp"
 #include "mass_spring/spring_system.hpp"
 #include "measures.hpp"
 #include "sample_webs.hpp"
@@ -56,4 +57,15 @@ TEST_CASE("the thesis's constants as listed let the frame collapse inward", "[un
     // The frame's 5e-6 N do not bear radii of 4e-5 N: less than a fifth of the area is left.
     CHECK(frame_area(layout, layout.positions) < 0.2 * before);
     CHECK(measure_threads(network, layout.positions).slack_springs > 100);
+}
+
+TEST_CASE("a web that draws together comes to rest, where energies differ by less than their rounding", "[unit]") {
+    Layout layout = web::test::thesis_layout();
+    const auto network = over_extend(layout, {}, web::test::kMass, 0);
+    mass_spring::SpringSystem system(network, nullptr);
+    system.set_surroundings({web::test::kGravity, 1e-8, {}});
+    const auto rest = mass_spring::settle(system, layout.positions);
+    CHECK(rest.converged);
+    CHECK(rest.tolerance == 1e-12);
+    CHECK(rest.residual <= rest.tolerance);
 }
