@@ -62,6 +62,7 @@ void ErrorMeter::add_sample(double error) noexcept {
 
 double ErrorMeter::estimate() const noexcept {
     const std::uint64_t frames = last_frames_ + frames_since_;
+    if (samples_ == 0) return std::numeric_limits<double>::quiet_NaN();
     return sum_ + damped_ + alone_ + drifted_ + (frames == 0 ? 0 : left_ * static_cast<double>(frames));
 }
 

@@ -42,7 +42,7 @@ public:
         drifted_ += drift_;
     }
 
-    double estimate() const noexcept;  ///< m
+    double estimate() const noexcept;  ///< m; NaN where no frame was redone
     std::string how() const;
 
 private:

@@ -43,6 +43,7 @@ RunError::RunError(SpringSystem& system, const SimulationSettings& settings, Int
 void RunError::add(const FrameRun& frame, double omega) {
     const Stopwatch watch(seconds_);
     meter_.count_frame();
+    if (!first_frame_) first_frame_ = frame.index;
     if (followed_) follow(frame);
     const Signs signs = judge_ == nullptr ? signs_of(frame) : Signs{};
     const bool wanted = meter_.wants(frame.index);
@@ -163,8 +164,11 @@ void RunError::start_trial(const FrameRun& frame) noexcept {
 double RunError::estimate() const noexcept { return meter_.estimate() + lost_.amplitude() + lost_.felt(); }
 
 std::string RunError::how() const {
-    if (!(lost_.energy() > 0)) return meter_.how();
-    return meter_.how() + "; vibrations too fast for the steps, which the method damped out with " +
+    std::string text = meter_.how();
+    if (first_frame_.value_or(0) > 0)
+        text += "; of what came before frame " + std::to_string(*first_frame_) + " nothing is told";
+    if (!(lost_.energy() > 0)) return text;
+    return text + "; vibrations too fast for the steps, which the method damped out with " +
            number_text(lost_.energy()) + " J: " + number_text(lost_.amplitude()) +
            " m of themselves, and slower motion that felt them may be off by " + number_text(lost_.felt()) +
            " m";

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,7 +44,7 @@ public:
     /// The springs are others from here on.
     void network_changed() noexcept { followed_ = false; }
 
-    double estimate() const noexcept;                     ///< m
+    double estimate() const noexcept;                     ///< m; NaN where no frame was redone
     std::string how() const;                              ///< and over how many frames
     double seconds() const noexcept { return seconds_; }  ///< wall time that it took
     std::size_t memory_bytes() const noexcept;
@@ -76,13 +77,14 @@ private:
     double frame_step_;                  ///< s
     ErrorMeter meter_;
     LostVibrations lost_;
-    std::vector<Vec3> first_x_;              ///< m, where the run began
-    std::vector<Vec3> trial_x_, trial_v_;    ///< of a frame that is redone
-    std::vector<Vec3> halved_x_, halved_v_;  ///< at the end of the last one redone at half the step
-    std::vector<double> halved_creep_;       ///< m
-    bool followed_ = false;                  ///< whether the next frame goes on from there too
-    bool followed_alone_ = false;            ///< and that one stood out
-    Signs most_{};                           ///< of frames that were redone
+    std::vector<Vec3> first_x_;                 ///< m, where the run began
+    std::vector<Vec3> trial_x_, trial_v_;       ///< of a frame that is redone
+    std::vector<Vec3> halved_x_, halved_v_;     ///< at the end of the last one redone at half the step
+    std::vector<double> halved_creep_;          ///< m
+    bool followed_ = false;                     ///< whether the next frame goes on from there too
+    bool followed_alone_ = false;               ///< and that one stood out
+    Signs most_{};                              ///< of frames that were redone
+    std::optional<std::uint64_t> first_frame_;  ///< that was run: others are not told of
     double seconds_ = 0;
 };
 

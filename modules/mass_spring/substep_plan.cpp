@@ -21,7 +21,7 @@ std::string stable_text(const SimulationSettings& settings, const Advice& advice
 [[noreturn]] void refuse_any_step(const SimulationSettings& settings, const Advice& advice) {
     throw Fault(FaultKind::diverged,
                 "no step of " + method_name(settings) + " is stable on an oscillation of " +
-                    number_text(advice.angular_frequency) + " rad/s that nothing damps" +
+                    number_text(advice.angular_frequency) + " rad/s that next to nothing damps" +
                     (advice.has_spring ? ", strongest in " + describe_spring(settings, advice.spring) : "") +
                     "; choose symplectic_euler or rk4, or add drag and damping");
 }
@@ -46,7 +46,7 @@ std::int64_t count_as_asked(const SimulationSettings& settings, double frame_ste
     return checked_count(settings, frame_step, asked, "ask for a longer step");
 }
 
-constexpr const char* kSoften = "lower stiffness, damping or drag, or raise the masses";
+constexpr const char* kSoften = "lower stiffness, damping or drag, raise the masses, or raise max_substeps";
 
 std::int64_t count_as_advised(const SimulationSettings& settings, const Advice& advice, double frame_step) {
     const double safe = kSafety * advice.stable_step;

@@ -77,7 +77,7 @@ public:
         report.steps = simulation_->steps();
         report.memory_bytes = memory_bytes();
         report.has_error = true;
-        report.error = {simulation_->error_estimate(), "m", simulation_->error_method(),
+        report.error = {simulation_->error_estimate(), "m", simulation_->error_method() + promise_,
                         simulation_->error_seconds()};
         report_threads(report);
         if (web_.layout.is_orb()) report_orb(report);
@@ -155,6 +155,7 @@ private:
         chosen_method_[0] = mass_spring::method_key(*choice.chosen.method);
         chosen_step_[0] = choice.chosen.step;
         choice_ = choice.sentence;
+        promise_ = fmt::format("; trials beforehand had found {:.2g} m", choice.chosen.error);
         host.log(choice.meets_goal ? LogLevel::info : LogLevel::warning, choice_);
     }
 
@@ -236,7 +237,8 @@ private:
     mass_spring::SimulationSettings settings_;
     double frame_step_ = 0;  // s
     mass_spring::Surroundings surroundings_;
-    std::string choice_;  // of method auto, in words
+    std::string choice_;   // of method auto, in words
+    std::string promise_;  // what its trials said of the error, in words
     const WindField* wind_ = nullptr;
     std::vector<Vec3> air_velocity_;  // m/s, sampled this frame
     std::vector<Vec3> external_;      // N, of this frame

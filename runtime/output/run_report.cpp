@@ -27,6 +27,12 @@ Json measures_json(const ModuleReport& report) {
     return json;
 }
 
+std::string error_text(const ModuleReport& report) {
+    if (!report.has_error) return "none: nothing is approximated over time";
+    if (std::isnan(report.error.value)) return fmt::format("not known ({})", report.error.how);
+    return fmt::format("{:.2g} {} ({})", report.error.value, report.error.unit, report.error.how);
+}
+
 Json module_json(const RunReport::ModuleEntry& module) {
     Json json = {{"name", module.name},
                  {"module", module.module},
@@ -77,10 +83,7 @@ std::string report_text(const RunReport& report) {
     text += fmt::format("  {:<16} {:<18} {:>10} {:>10} {:>10} {:>10}  {}\n", "module", "method", "steps",
                         "set-up s", "cost s", "memory kB", "error");
     for (const auto& module : report.modules) {
-        const std::string error = module.report.has_error
-                                      ? fmt::format("{:.2g} {} ({})", module.report.error.value,
-                                                    module.report.error.unit, module.report.error.how)
-                                      : "none: nothing is approximated over time";
+        const std::string error = error_text(module.report);
         text +=
             fmt::format("  {:<16} {:<18} {:>10} {:>10.3f} {:>10.3f} {:>10.1f}  {}\n", module.name,
                         module.report.method.empty() ? "-" : module.report.method, module.report.steps,

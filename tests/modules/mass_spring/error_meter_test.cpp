@@ -9,6 +9,7 @@ using orbweaver::mass_spring::ErrorMeter;
 
 TEST_CASE("a sample is Richardson's estimate and stands for the frames before it", "[unit]") {
     ErrorMeter meter;
+    CHECK(std::isnan(meter.estimate()));
     const std::vector<Vec3> whole{{0, 0, 0}, {1, 0, 0}};
     const std::vector<Vec3> halved{{0, 0, 0}, {1, 3e-6, 4e-6}};
     for (int i = 0; i < 10; ++i) meter.count_frame();

@@ -21,7 +21,7 @@ struct Run {
     std::string how;
 };
 
-Run blow(const char* method, double step, double tolerance, int frames) {
+Run blow(const char* method, double step, double tolerance, int frames, std::uint64_t first = 0) {
     Body body = bodies::bead_string(9, 0.01, 1e-6, 500, 0.01);
     for (Spring& s : body.network.springs) s.damping = 1e-4;
     const std::vector<Vec3> wind(body.x.size(), Vec3{0, 2e-4, 0});
@@ -32,7 +32,7 @@ Run blow(const char* method, double step, double tolerance, int frames) {
     settings.step = step;
     settings.tolerance = tolerance;
     Simulation run(system, settings, kFrame, body.x, body.v);
-    for (int i = 0; i < frames; ++i) run.advance(static_cast<std::uint64_t>(i), i * kFrame);
+    for (int i = 0; i < frames; ++i) run.advance(first + static_cast<std::uint64_t>(i), i * kFrame);
     return {body.x, run.error_estimate(), run.error_method()};
 }
 
@@ -104,4 +104,10 @@ TEST_CASE("what happens between two samples is not passed over", "[unit]") {
                          << ", told " << run.estimate << " m: " << run.how);
         CHECK(run.estimate > error / 3);
     }
+}
+
+TEST_CASE("a run that goes on from another says that it tells its own part alone", "[unit]") {
+    CHECK(blow("rk4", 1e-4, 0, 3).how.find("nothing is told") == std::string::npos);
+    CHECK(blow("rk4", 1e-4, 0, 3, 20).how.find("; of what came before frame 20 nothing is told") !=
+          std::string::npos);
 }

@@ -63,7 +63,7 @@ TEST_CASE("extreme constants are refused or substepped, never run into nonsense"
         {"stiffness x 1e12", stiff, "rk4", 0, OnUnstable::substep,
          "a frame of 16.67 ms would take 1.29e+06 steps of 12.92 ns; expected at most 100000; lower "
          "stiffness, "
-         "damping or drag, or raise the masses, first of all at spring 4"},
+         "damping or drag, raise the masses, or raise max_substeps, first of all at spring 4"},
         {"stiffness x 1e12, as asked", stiff, "rk4", 1e-3, OnUnstable::as_asked,
          "the position of particle 1 left for more than a million times the extent at t = 1.961 ms (frame "
          "0, "
@@ -72,7 +72,7 @@ TEST_CASE("extreme constants are refused or substepped, never run into nonsense"
          "set by a mode of 1.97e+08 rad/s with a damping rate of 1 /s, strongest in spring 4"},
         {"mass 1e-15", light, "rk4", 0, OnUnstable::substep,
          "a frame of 16.67 ms would take 6.649e+06 steps of 2.507 ns; expected at most 100000; lower "
-         "stiffness, damping or drag, or raise the masses"},
+         "stiffness, damping or drag, raise the masses, or raise max_substeps"},
         {"mass 1e-15, as asked", light, "symplectic_euler", 1e-3, OnUnstable::as_asked,
          "the position of particle 4 left for more than a million times the extent at t = 2.941 ms (frame "
          "0, "
@@ -92,9 +92,8 @@ TEST_CASE("extreme constants are refused or substepped, never run into nonsense"
          "a frame of 16.67 ms would take 1.667e+10 steps of 0.001 ns; expected at most 100000; ask for a "
          "longer step"},
         {"undamped explicit Euler", undamped, "explicit_euler", 0, OnUnstable::substep,
-         "no step of explicit_euler is stable on an oscillation of 1 rad/s that nothing damps, strongest "
-         "in "
-         "spring 0; choose symplectic_euler or rk4, or add drag and damping"},
+         "no step of explicit_euler is stable on an oscillation of 1 rad/s that next to nothing damps, "
+         "strongest in spring 0; choose symplectic_euler or rk4, or add drag and damping"},
     };
     for (const Case& each : cases) {
         INFO(each.name);

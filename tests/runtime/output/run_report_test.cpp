@@ -79,6 +79,16 @@ TEST_CASE("a report is valid JSON whatever a module says of itself", "[extreme]"
     CHECK(read["real_time_factor"] == 0);
 }
 
+TEST_CASE("an error of which nothing is known is not told as a number", "[unit]") {
+    RunReport report;
+    RunReport::ModuleEntry entry;
+    entry.name = "web";
+    entry.report.has_error = true;
+    entry.report.error = {std::nan(""), "m", "no frame was redone yet"};
+    report.modules.push_back(entry);
+    CHECK_THAT(report_text(report), Catch::EndsWith("not known (no frame was redone yet)\n"));
+}
+
 TEST_CASE("a module that approximates nothing says so", "[unit]") {
     RunReport report;
     report.scene = "still";
