@@ -11,13 +11,13 @@ uniform samplerBuffer points;
 uniform mat4 view_projection;
 uniform vec2 half_size;     // px
 uniform vec2 width_near;    // thread width times focal length, m px; depth of the near plane, m
-layout(location = 0) in uvec2 ends;
+layout(location = 0) in uvec4 thread;  // a ThreadSegment
 out float across;           // px from the axis
 out float reach;            // px from the axis at which coverage ends
 out float fill;             // opacity left to a thread thinner than a pixel
 void main() {
-    vec4 a = view_projection * vec4(texelFetch(points, int(ends.x)).xyz, 1);
-    vec4 b = view_projection * vec4(texelFetch(points, int(ends.y)).xyz, 1);
+    vec4 a = view_projection * vec4(texelFetch(points, int(thread.x)).xyz, 1);
+    vec4 b = view_projection * vec4(texelFetch(points, int(thread.y)).xyz, 1);
     float near = width_near.y;
     across = reach = fill = 0;
     gl_Position = vec4(2, 2, 2, 1);
@@ -32,7 +32,7 @@ void main() {
     float side = (gl_VertexID & 1) == 0 ? -1 : 1;
     bool at_a = gl_VertexID < 2;
     vec4 end = at_a ? a : b;
-    float width = width_near.x / end.w;
+    float width = uintBitsToFloat(thread.w) * width_near.x / end.w;
     reach = 0.5 * (max(width, 1) + 1);
     fill = min(width, 1);
     across = side * reach;
@@ -77,7 +77,8 @@ void ThreadPass::upload_segments() {
     gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(segments.size_bytes()), segments.data(),
                    GL_STATIC_DRAW);
     gl_.EnableVertexAttribArray(0);
-    gl_.VertexAttribIPointer(0, 2, GL_UNSIGNED_INT, sizeof(ThreadSegment), nullptr);
+    static_assert(sizeof(ThreadSegment) == 4 * sizeof(GLuint));
+    gl_.VertexAttribIPointer(0, 4, GL_UNSIGNED_INT, sizeof(ThreadSegment), nullptr);
     gl_.VertexAttribDivisor(0, 1);
     revision_ = threads_.revision();
     uploaded_ = true;

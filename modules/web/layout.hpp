@@ -23,6 +23,7 @@ struct Piece {
     Index a = 0;
     Index b = 0;
     Kind kind = Kind::strand;
+    double width = 1;  ///< times as much silk as others of its kind
 };
 
 /// Where everything is laid, before anything pulls: plain data that each stage of the construction adds to.

@@ -2,12 +2,13 @@
 
 #include <memory>
 
+#include "draft.hpp"
 #include "manifest_text.hpp"
 #include "mass_spring/method_choice.hpp"
-#include "mass_spring/settle.hpp"
 #include "mass_spring/simulation.hpp"
 #include "measures.hpp"
 #include "motion_options.hpp"
+#include "orbweaver/contracts/inscriber.hpp"
 #include "orbweaver/contracts/threads.hpp"
 #include "orbweaver/contracts/wind_field.hpp"
 #include "orbweaver/contracts/workers.hpp"
@@ -28,13 +29,16 @@ public:
         for (Diagnostic& fault : faults) host.report_fault(std::move(fault));
         if (!sound || !web) return;
         web_ = std::move(*web);
-        for (const Piece& piece : web_.layout.pieces)
-            segments_.push_back({piece.a, piece.b, static_cast<std::uint32_t>(piece.kind)});
+        const Settling settling{host.scene().gravity, motion.linear_solver, host.find<Workers>()};
+        if (auto* inscriber = host.find<Inscriber>(); inscriber != nullptr && web_.layout.is_orb())
+            inscribe(*inscriber, settling);
+        else if (host.options().flag("settle"))
+            settle(host, settling);
+        segments_ = segments_of(web_.layout);
         make_state(host);
         if (motion.settings.method == nullptr) make_choice_state(host);
         make_system(host);
         system_->use_linear_solver(motion.linear_solver);
-        if (host.options().flag("settle")) settle(host);
         start_residual_ = residual();
         if (motion.settings.method == nullptr) choose(host, motion);
         settings_ = std::move(motion.settings);
@@ -159,8 +163,14 @@ private:
         host.log(choice.meets_goal ? LogLevel::info : LogLevel::warning, choice_);
     }
 
-    void settle(Host& host) {
-        const auto found = mass_spring::settle(*system_, position_);
+    void inscribe(Inscriber& inscriber, const Settling& settling) {
+        Draft draft(std::move(web_), settling);
+        draft.changed(inscriber.inscribe(draft));
+        web_ = std::move(draft.web());
+    }
+
+    void settle(Host& host, const Settling& settling) {
+        const auto found = web::settle(web_, settling);
         if (!found.converged)
             host.log(
                 LogLevel::warning,

@@ -99,6 +99,14 @@ TEST_CASE("a thread adds light in proportion to its width, below a pixel too", "
     }
 }
 
+TEST_CASE("a thread of more silk than others is drawn as much wider", "[image]") {
+    Studio studio;
+    Strands threads = strand(0.0137, 0);
+    for (ThreadSegment& piece : threads.pieces) piece.width = 3;
+    const auto light = studio.draw(threads, {0.4 / kMetre, {1, 1, 1}, 1});
+    CHECK(sum_of_row(light, 30) == Approx(1.2).epsilon(0.03));
+}
+
 TEST_CASE("a thread lies where the pinhole equation puts it", "[image]") {
     Studio studio;
     const double angle = 0.3;

@@ -59,7 +59,8 @@ TEST_CASE("the thesis's constants as listed let the frame collapse inward", "[un
     CHECK(measure_threads(network, layout.positions).slack_springs > 100);
 }
 
-TEST_CASE("a web that draws together comes to rest, where energies differ by less than their rounding", "[unit]") {
+TEST_CASE("a web that draws together comes to rest, where energies differ by less than their rounding",
+          "[unit]") {
     Layout layout = web::test::thesis_layout();
     const auto network = over_extend(layout, {}, web::test::kMass, 0);
     mass_spring::SpringSystem system(network, nullptr);

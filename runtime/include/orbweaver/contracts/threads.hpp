@@ -13,6 +13,7 @@ struct ThreadSegment {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
     std::uint32_t kind = 0;  ///< index into Threads::kinds()
+    float width = 1;         ///< times as much silk as others of its kind
 };
 
 /// Threads to be seen, and later to be stood on.
