@@ -53,15 +53,7 @@ void face_ahead(double most_degrees, Ground& ground) noexcept {
     ground.facing = facing;
     if (speed == 0) return;
     const Vec3 wanted = unit_or(across(ground.velocity, ground.footing.up), facing);
-    const double off = degrees_between(facing, wanted);
-    if (off <= most_degrees) {
-        ground.facing = wanted;
-        return;
-    }
-    // Right about there is no nearer side: by the left.
-    const Vec3 by = off > 179 ? cross(ground.footing.up, facing) : wanted;
-    const double share = most_degrees / degrees_between(facing, by);
-    ground.facing = unit_or(across(turned_between(facing, by, share), ground.footing.up), facing);
+    ground.facing = turned_about(ground.footing.up, facing, wanted, most_degrees);
 }
 
 Feel feel_ahead(const Surface& surface, const Ground& ground, double reach) noexcept {
@@ -71,7 +63,13 @@ Feel feel_ahead(const Surface& surface, const Ground& ground, double reach) noex
     const Vec3& here = ground.footing.up;
     Feel feel;
     feel.up = unit_or(ahead.step.end.up + here + behind.step.end.up, here);
-    feel.corner_distance = reach * 2;
+    feel.corner_distance = feel.border_distance = reach * 2;
+    if (ahead.step.stop == StepStop::border) {
+        const Vec3 left = cross(here, ground.facing);
+        feel.border_distance = ahead.step.walked;
+        feel.room_left = stride_from(surface, ground, ground.facing + left, reach, {}).step.walked;
+        feel.room_right = stride_from(surface, ground, ground.facing - left, reach, {}).step.walked;
+    }
     if (ahead.corners == 0) return feel;
     const StrideCorner& first = corners[0];
     feel.corner_distance = first.distance;

@@ -33,6 +33,8 @@ struct Feel {
     double corner_degrees = 0;   ///< by which the surface turns there
     bool rises = false;          ///< an inside corner
     Vec3 corner_along;           ///< unit, along the edge, so that it leads on as the creature faces
+    double border_distance = 0;  ///< m, to where the surface ends ahead; beyond the reach: it does not
+    double room_left = 0, room_right = 0;  ///< m, to where it ends half left and half right, if it ends ahead
 };
 Feel feel_ahead(const Surface& surface, const Ground& ground, double reach) noexcept;
 

@@ -297,8 +297,11 @@ std::optional<Species> read_species(const Node& root, const std::string& name, D
     Species species = SpeciesReader(found).read(root, name);
     faults.insert(faults.end(), found.begin(), found.end());
     if (!found.empty()) return std::nullopt;
-    for (const Limb& limb : species.limbs)
+    species.shape = shape_of(species.body);
+    for (Limb& limb : species.limbs) {
+        limb.stance = stance_of(limb);
         species.height -= limb.home.y / static_cast<double>(species.limbs.size());
+    }
     return species;
 }
 

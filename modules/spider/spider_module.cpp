@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,12 @@ Conduct conduct_of(const Host& host, const Species& species) {
     return conduct;
 }
 
+std::vector<Leg> legs_of(const Species& species) {
+    std::vector<Leg> legs;
+    for (const Limb& limb : species.limbs) legs.push_back(limb.leg);
+    return legs;
+}
+
 /// One [spider] table: creatures of one kind.
 class SpiderModule final : public Module, public Threads {
 public:
@@ -53,6 +60,7 @@ public:
         surface_ = host.find<Surface>();
         workers_ = host.find<Workers>();
         conduct_ = conduct_of(host, species_);
+        if (host.options().text("ik") == "half_jacobian") conduct_.lanes = &lanes_.emplace(legs_of(species_));
         const auto count = static_cast<std::size_t>(host.options().integer("count"));
         creatures_.resize(count);
         measures_.resize(count);
@@ -64,6 +72,7 @@ public:
     }
 
     void run(Phase, const orbweaver::Frame& frame) override {
+        step_ = frame.step;
         const double reach = 1.5 * mean_leg_length(species_);
         if (creatures_.size() > 1) neighbors_.gather(position_, reach);
         auto advance = [&](std::size_t begin, std::size_t end) {
@@ -98,8 +107,12 @@ public:
         report.measure("max_joint_violation_rad", all.worst_joint);
         report.measure("reach_failures", static_cast<std::int64_t>(all.forced_steps));
         report.measure("max_reach_error", all.worst_reach);
-        report.measure("steps_without_foothold", static_cast<std::int64_t>(all.empty_steps));
+        report.measure("footholds_not_found", static_cast<std::int64_t>(all.searches));
         report.measure("min_stability_margin_m", all.frames > 0 ? all.least_margin : 0);
+        report.measure("mean_stability_margin_m", all.margins / frames);
+        report.measure("unstable_frames", static_cast<std::int64_t>(all.unstable_frames));
+        report.measure("penetrating_frames", static_cast<std::int64_t>(all.penetrating_frames));
+        report.measure("max_turn_deg_per_s", all.worst_turn / step_);
         report.measure("distance_walked_m", all.distance);
     }
 
@@ -178,6 +191,7 @@ private:
     }
 
     Species species_;
+    std::optional<LegLanes> lanes_;
     Conduct conduct_;
     const Surface* surface_ = nullptr;
     Workers* workers_ = nullptr;
@@ -189,6 +203,7 @@ private:
     std::span<Vec3> position_, up_, forward_, foot_;  // state
     std::span<double> numbers_;                       // state
     std::size_t per_creature_ = 0;
+    double step_ = 1;  // s, of a frame
 };
 
 }  // namespace

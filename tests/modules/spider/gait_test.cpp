@@ -18,7 +18,7 @@ struct Walker {
     }
     GaitState state() { return {&phase, start, progress}; }
     void advance(const Gait& gait, const Pace& pace) {
-        advance_gait(gait, pace, {kFrame, 0.2, 0.5, strained, lifted, landed}, state());
+        advance_gait(gait, pace, {kFrame, 0.2, 0.5, strained, lifted, landed, feet, velocity}, state());
     }
     int feet_down() const {
         int down = 0;
@@ -29,6 +29,8 @@ struct Walker {
     double phase = 0;
     std::vector<double> start, progress;
     std::vector<std::uint8_t> strained, lifted, landed;
+    std::vector<SupportPoint> feet;  // none: balance is not looked at
+    SupportPoint velocity;
 };
 
 struct Counts {
