@@ -90,10 +90,10 @@ void steer(const Conduct& conduct, const Company& company, const Feel& feel, dou
     state.ground.velocity = accelerate(agent, control(agent, wanted, conduct.response, conduct.strength), dt);
 }
 
-/// Up and forward, both together by no more than `most_degrees`: they turn about axes at right angles.
-void turn_body(const Conduct& conduct, const Vec3& wanted_up, double most_degrees,
-               CreatureState& state) noexcept {
+/// Up and forward in dt s, both together by no more than the creature's rate: they turn about axes at right angles.
+void turn_body(const Conduct& conduct, const Vec3& wanted_up, double dt, CreatureState& state) noexcept {
     constexpr double kUpsShare = 0.8;  // of the rate; it leaves forward three fifths
+    const double most_degrees = conduct.turn_rate * dt;
     const Vec3 before = state.turn.up;
     turn_up(wanted_up, state.forward, conduct.turn_curve, conduct.turn_steps, kUpsShare * most_degrees,
             state.turn);
@@ -102,19 +102,32 @@ void turn_body(const Conduct& conduct, const Vec3& wanted_up, double most_degree
     const Vec3 ahead = across(state.ground.facing, up);
     const double length = norm(ahead), turned = degrees_between(before, up);
     constexpr double kLeast = 1e-6;  // where the head looks along the body's up, it is on its way over an edge
+    state.spin = 0;
     if (length < kLeast) return;
+    const Vec3 carried = state.forward;
     const double left = std::sqrt(most_degrees * most_degrees - turned * turned);
-    state.forward = turned_about(up, state.forward, ahead / length, left);
+    state.forward = turned_about(up, carried, ahead / length, left);
+    state.spin = dot(cross(carried, state.forward), up) / dt;  // the sine of so little is the angle
 }
 
 /// Moves the body off what it would come too near to, and back to its height in a moment where there is nothing.
 double hold_body(const Surface& surface, const Conduct& conduct, double dt, CreatureState& state) noexcept {
-    constexpr double kMost = 0.4, kMoment = 0.15;  // of the legs' length; s
-    state.shift *= std::max(0.0, 1 - dt / kMoment);
+    constexpr double kMost = 0.8, kMoment = 0.15;  // of the legs' length; s
+    state.shift = std::max(0.0, 1 - dt / kMoment) * state.shift + state.sway;
     BodyPose unshifted = pose_of(conduct, state);
     unshifted.position -= state.shift;
     return keep_off(surface, conduct.species->shape, state.ground.footing, unshifted,
                     kMost * mean_leg_length(*conduct.species), state.shift);
+}
+
+/// m, in dt s: who is out of balance, or nearly so, leans towards where it is in balance.
+Vec3 sway_of(const Conduct& conduct, const Support& support, const CreatureState& state, double dt) noexcept {
+    constexpr double kWanted = 0.03, kSpeed = 0.7;  // margin, of the legs' length; of it a second
+    const double leg = mean_leg_length(*conduct.species);
+    const double missing = std::min(kWanted * leg - support.margin, kSpeed * leg * dt);
+    if (missing <= 0) return {};
+    const BodyPose body = pose_of(conduct, state);
+    return missing * (support.inward.forward * body.forward + support.inward.right * body.right);
 }
 
 /// Degrees of the one turn that leads from pose to pose: the chords of its axes, squared, sum to 8 sin^2(a/2).
@@ -161,13 +174,14 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
     const Feel feel = feel_ahead(surface, state.ground, reach);
     steer(conduct, company, feel, reach, dt, state);
     if (move(surface, dt, state.ground) == MoveEnd::lost) ++measures.lost_frames;
-    const double most = conduct.turn_rate * dt;
-    face_ahead(most, state.ground);
-    turn_body(conduct, feel.up, most, state);
+    face_ahead(conduct.turn_rate * dt, state.ground);
+    turn_body(conduct, feel.up, dt, state);
     const double below = hold_body(surface, conduct, dt, state);
     step_feet(surface, conduct, dt, state, measures);
     ++measures.frames;
-    const double margin = stability_margin(conduct, state);
+    const Support support = support_of(conduct, state);
+    state.sway = sway_of(conduct, support, state, dt);
+    const double margin = std::max(support.margin, -species.height);
     if (margin < 0) ++measures.unstable_frames;
     if (below > 0) ++measures.penetrating_frames;
     measures.margins += margin;
@@ -179,7 +193,7 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
         std::max(measures.worst_turn, degrees_turned(pose_of(conduct, before), pose_of(conduct, state)));
 }
 
-double stability_margin(const Conduct& conduct, const CreatureState& state) noexcept {
+Support support_of(const Conduct& conduct, const CreatureState& state) noexcept {
     const Species& species = *conduct.species;
     const BodyPose body = pose_of(conduct, state);
     std::array<SupportPoint, kMaxLegs> feet;
@@ -189,7 +203,7 @@ double stability_margin(const Conduct& conduct, const CreatureState& state) noex
         const Vec3 place = from_world(body, state.feet[leg].place) - species.shape.center_of_mass;
         feet[count++] = {place.x, place.z};
     }
-    return std::max(stability_margin(std::span(feet).first(count)), -species.height);
+    return support_of(std::span(feet).first(count));
 }
 
 }  // namespace orbweaver::spider

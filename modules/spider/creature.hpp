@@ -18,6 +18,7 @@
 #include "species.hpp"
 #include "steering.hpp"
 #include "stride_path.hpp"
+#include "support.hpp"
 #include "up_turn.hpp"
 #include "wander.hpp"
 
@@ -48,6 +49,7 @@ struct Conduct {
 struct Foot {
     Vec3 place;          ///< m; while it stands the same to the last bit
     Swing swing;         ///< under way, or the last one
+    Vec3 home;           ///< m, body frame: where it is in the middle of its stance
     bool holds = false;  ///< it stands on the surface, or swings to a place on it; else it searches for one
     std::uint32_t searches = 0;  ///< swings since it last found one
 };
@@ -58,6 +60,8 @@ struct CreatureState {
     UpTurn turn;
     Vec3 forward{1, 0, 0};  ///< unit, across the body's up
     Vec3 shift;             ///< m, by which the body keeps off what it would come too near to
+    double spin = 0;        ///< rad/s, of the body about its up, to the left
+    Vec3 sway;              ///< m, by which it is going to lean towards the middle of its feet
     double strain = 0;      ///< of the standing leg that is strained the most: see strain_of()
     WanderState wander;
     PauseState pause;
@@ -84,7 +88,7 @@ struct Company {
 void advance_creature(const Surface& surface, const Conduct& conduct, const Company& company, double dt,
                       CreatureState& state, CreatureMeasures& measures) noexcept;
 
-/// m: of the feet that stand, about the center of mass of the body; at least minus the creature's height.
-double stability_margin(const Conduct& conduct, const CreatureState& state) noexcept;
+/// Of the feet that stand, about the center of mass of the body and seen along its up.
+Support support_of(const Conduct& conduct, const CreatureState& state) noexcept;
 
 }  // namespace orbweaver::spider

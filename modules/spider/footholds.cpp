@@ -26,7 +26,8 @@ Foothold along_surface(const Surface& surface, const Footing& ground, const Vec3
     const SurfaceStep placed = surface.place(ground.at, ground.up, way / length);
     if (placed.answer != Answer::found) return {};
     const SurfaceStep step = surface.stride(placed.end, length, {}).step;
-    if (step.answer != Answer::found || step.stop != StepStop::none) return {};
+    // Where the surface ends on the way, its rim is a place too.
+    if (step.answer != Answer::found || step.stop == StepStop::limit) return {};
     return {true, step.end.at, step.end.position, step.end.up};
 }
 

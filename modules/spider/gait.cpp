@@ -29,7 +29,7 @@ bool neighbors_stand(const GaitState& state, std::size_t leg) noexcept {
     return ahead && stands(leg + 2) && stands(leg ^ 1U);
 }
 
-/// Without that leg, and `later` s from now.
+/// m, `later` s from now, of the feet that stand but one.
 double margin_without(const GaitState& state, const GaitTick& tick, std::size_t leg, double later) noexcept {
     std::array<SupportPoint, kMostFeet> feet;
     std::size_t count = 0;
@@ -37,12 +37,17 @@ double margin_without(const GaitState& state, const GaitTick& tick, std::size_t 
         if (i != leg && state.progress[i] < 0)
             feet[count++] = {tick.feet[i].forward - later * tick.velocity.forward,
                              tick.feet[i].right - later * tick.velocity.right};
-    return stability_margin(std::span(feet).first(count));
+    return support_of(std::span(feet).first(count)).margin;
 }
 
+/// Whether the creature stays in balance without that leg; where it is out of it, whether that gets no worse.
 bool keeps_balance(const GaitState& state, const GaitTick& tick, std::size_t leg, double swing_time) noexcept {
-    return tick.feet.empty() || (margin_without(state, tick, leg, 0) >= 0 &&
-                                 margin_without(state, tick, leg, swing_time) >= 0);
+    if (tick.feet.empty()) return true;
+    const auto bears = [&](double later) {
+        const double margin = margin_without(state, tick, leg, later);
+        return margin >= 0 || margin >= margin_without(state, tick, tick.feet.size(), later);
+    };
+    return bears(0) && bears(swing_time);
 }
 
 }  // namespace

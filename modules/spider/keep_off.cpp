@@ -128,7 +128,7 @@ double penetration(const Surface& surface, const BodyShape& shape, const Footing
 
 double keep_off(const Surface& surface, const BodyShape& shape, const Footing& ground, const BodyPose& unshifted,
                 double most, Vec3& shift) noexcept {
-    constexpr int kPushes = 12;
+    constexpr int kPushes = 40;
     const double spare = kSpare * distance(unshifted.position, ground.position);
     Prober prober(surface, shape, ground);
     Overlap overlap = prober.deepest(shifted(unshifted, shift));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rotor.hpp"
+
 namespace orbweaver::spider {
 namespace {
 
@@ -36,24 +38,36 @@ struct Walk {
           measures(counts),
           body(pose_of(how, who)),
           speed(norm(who.ground.velocity)) {
-        pace = pace_at(how.pace, speed);
+        // Feet move against a body that turns as they do against one that walks.
+        pace = pace_at(how.pace, speed + std::abs(who.spin) * how.species->stance_radius);
         if (speed > 0) way = who.ground.velocity / speed;
     }
     const Limb& limb(std::size_t leg) const noexcept { return conduct.species->limbs[leg]; }
     std::size_t legs() const noexcept { return conduct.species->limbs.size(); }
 };
 
-/// Where a leg would like its foot to come down, before the surface has been asked.
-Vec3 wanted_place(const Walk& walk, const Limb& limb, double swing_time) noexcept {
-    constexpr double kSlow = 1e-3;  // m/s, below which strides shrink to nothing
-    const double half_stance = walk.pace.duty * walk.pace.stride / 2 * std::min(1.0, walk.speed / kSlow);
-    return to_world(walk.body, limb.stance) + (walk.speed * swing_time + half_stance) * walk.way;
+/// Where the body will be in `time` s, if it goes on as it does.
+BodyPose body_in(const Walk& walk, double time) noexcept {
+    BodyPose body = walk.body;
+    const Rotor<double> turn = rotor(std::clamp(walk.state.spin * time, -1.0, 1.0));
+    body.position += walk.speed * time * walk.way;
+    body.forward = turn.c * walk.body.forward - turn.s * walk.body.right;
+    body.right = turn.c * walk.body.right + turn.s * walk.body.forward;
+    return body;
 }
 
-Foothold foothold_for(const Walk& walk, const Limb& limb, const Vec3& wanted, double swing_time,
+/// s, of the whole cycle: how long a foot that lifts now is in the air, and stands then.
+struct StepTimes {
+    double swing = 0, stance = 0;
+};
+StepTimes step_times(const Pace& pace) noexcept {
+    if (!(pace.frequency > 0)) return {};
+    constexpr double kLongest = 2 * kLandingTime;  // foreseen
+    return {std::min((1 - pace.duty) / pace.frequency, kLandingTime), std::min(pace.duty / pace.frequency, kLongest)};
+}
+
+Foothold foothold_for(const Walk& walk, const Limb& limb, const Vec3& wanted, const BodyPose& landing,
                       double search) noexcept {
-    BodyPose landing = walk.body;  // where it will be when the foot comes down
-    landing.position += walk.speed * swing_time * walk.way;
     LegSolverOptions options;
     options.restarts = 2;  // a place that takes more is not worth it: there are others
     const auto serves = [&](const Foothold& hold) {
@@ -86,14 +100,15 @@ void begin_swing(const Walk& walk, std::size_t leg) noexcept {
     constexpr double kSearch = 0.4;  // of the leg's length
     const Limb& limb = walk.limb(leg);
     Foot& foot = walk.state.feet[leg];
-    const double swing_time =
-        walk.pace.frequency > 0 ? std::min((1 - walk.pace.duty) / walk.pace.frequency, 2 * kLandingTime) : 0;
+    const StepTimes times = step_times(walk.pace);
     const double search = kSearch * limb.leg.length * (1 + std::min(foot.searches, 4U) / 4.0);
-    const Vec3 wanted = wanted_place(walk, limb, swing_time);
-    const Foothold hold = foothold_for(walk, limb, wanted, swing_time, search);
+    const BodyPose middle = body_in(walk, times.swing + times.stance / 2);
+    const Vec3 wanted = to_world(middle, limb.stance);
+    const Foothold hold = foothold_for(walk, limb, wanted, body_in(walk, times.swing), search);
     foot.searches = hold.found ? 0 : foot.searches + 1;
     ++(hold.found ? walk.measures.steps : walk.measures.searches);
     foot.holds = hold.found;
+    foot.home = hold.found ? from_world(middle, hold.position) : limb.stance;
     foot.swing.start = foot.place;
     foot.swing.start_up = walk.body.up;
     foot.swing.end = hold.found ? hold.position : searched_place(walk, limb, foot, wanted, search);
@@ -200,9 +215,8 @@ void reach_feet(const Walk& walk) noexcept {
 double strain_of(const Limb& limb, const BodyPose& body, const Pace& pace, const Foot& foot) noexcept {
     const Vec3 place = from_world(body, foot.place);
     const double stretch = distance(place, limb.base) / (kStrained * limb.leg.length);
-    const Vec3 off = place - limb.stance;
-    const double level = std::sqrt(off.x * off.x + off.z * off.z);
-    return std::max(stretch, level / (kOffHome * pace.duty * pace.stride / 2 + 0.15 * limb.leg.length));
+    const double off = distance(place, foot.home);
+    return std::max(stretch, off / (kOffHome * pace.duty * pace.stride / 2 + 0.15 * limb.leg.length));
 }
 
 void place_feet(const Surface& surface, const Conduct& conduct, CreatureState& state) noexcept {

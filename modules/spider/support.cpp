@@ -18,14 +18,15 @@ double square_between(const SupportPoint& a, const SupportPoint& b) noexcept {
 
 }  // namespace
 
-double stability_margin(std::span<const SupportPoint> feet) noexcept {
-    if (feet.size() < 3) return -HUGE_VAL;
+Support support_of(std::span<const SupportPoint> feet) noexcept {
+    constexpr Support kNone{-HUGE_VAL, {}};
+    if (feet.size() < 3) return kNone;
     // Round the hull by gift wrapping (Jarvis 1973), all feet on the left of each side.
     const auto first = static_cast<std::size_t>(
         std::min_element(feet.begin(), feet.end(),
                          [](const SupportPoint& a, const SupportPoint& b) { return a.forward < b.forward; }) -
         feet.begin());
-    double least = HUGE_VAL;
+    Support support{HUGE_VAL, {}};
     std::size_t at = first;
     for (std::size_t sides = 0; sides < feet.size(); ++sides) {
         std::size_t next = at;
@@ -34,12 +35,15 @@ double stability_margin(std::span<const SupportPoint> feet) noexcept {
             const bool farther = square_between(feet[at], feet[i]) > square_between(feet[at], feet[next]);
             if (left < 0 || (left == 0 && farther)) next = i;
         }
-        if (next == at) return -HUGE_VAL;  // all in one place
-        least = std::min(least, left_of(feet[at], feet[next], {}) / std::sqrt(square_between(feet[at], feet[next])));
+        if (next == at) return kNone;  // all in one place
+        const SupportPoint &a = feet[at], &b = feet[next];
+        const double length = std::sqrt(square_between(a, b)), margin = left_of(a, b, {}) / length;
+        if (margin < support.margin)
+            support = {margin, {(b.right - a.right) / length, (a.forward - b.forward) / length}};
         at = next;
         if (at == first) break;
     }
-    return least;
+    return support;
 }
 
 }  // namespace orbweaver::spider

@@ -9,9 +9,13 @@ struct SupportPoint {
     double forward = 0, right = 0;
 };
 
-/// m: the static stability margin (McGhee and Frank 1968), from the center of mass to the nearest side of the
-/// feet's convex hull; below 0 where it is outside: then the farthest that it is beyond a side. Minus infinity
-/// where fewer than three feet span nothing.
-double stability_margin(std::span<const SupportPoint> feet) noexcept;
+/// The static stability margin (McGhee and Frank 1968), and the side of the feet's convex hull that it is measured
+/// from.
+struct Support {
+    double margin = 0;    ///< m, from the center of mass to the nearest side; below 0 where it is outside: then the
+                          ///< farthest that it is beyond a side. Minus infinity where feet span nothing.
+    SupportPoint inward;  ///< unit, across that side
+};
+Support support_of(std::span<const SupportPoint> feet) noexcept;
 
 }  // namespace orbweaver::spider
