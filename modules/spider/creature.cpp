@@ -140,14 +140,25 @@ double degrees_turned(const BodyPose& from, const BodyPose& to) noexcept {
     return 2 * kDegree * angle_of(std::sqrt(std::max(0.0, 1 - sine * sine)), sine);
 }
 
-/// m, the farthest that a foot slipped which stood before and stands now.
-double slip_between(const CreatureState& before, const CreatureState& after, std::size_t legs) noexcept {
-    double worst = 0;
-    for (std::size_t leg = 0; leg < legs; ++leg)
-        if (before.progress[leg] < 0 && after.progress[leg] < 0)
-            worst = std::max(worst, distance(before.feet[leg].place, after.feet[leg].place));
-    return worst;
-}
+/// What a frame is compared with that comes after it.
+struct Before {
+    BodyPose pose;
+    std::array<double, kMaxLegs> progress;
+    std::array<Vec3, kMaxLegs> feet;
+
+    Before(const Conduct& conduct, const CreatureState& state) noexcept
+        : pose(pose_of(conduct, state)), progress(state.progress) {
+        for (std::size_t leg = 0; leg < conduct.species->limbs.size(); ++leg) feet[leg] = state.feet[leg].place;
+    }
+    /// m, the farthest that a foot slipped which stood then and stands now.
+    double slip(const CreatureState& now, std::size_t legs) const noexcept {
+        double worst = 0;
+        for (std::size_t leg = 0; leg < legs; ++leg)
+            if (progress[leg] < 0 && now.progress[leg] < 0)
+                worst = std::max(worst, distance(feet[leg], now.feet[leg].place));
+        return worst;
+    }
+};
 
 }  // namespace
 
@@ -169,7 +180,7 @@ void place_creature(const Surface& surface, const Conduct& conduct, const Footin
 void advance_creature(const Surface& surface, const Conduct& conduct, const Company& company, double dt,
                       CreatureState& state, CreatureMeasures& measures) noexcept {
     const Species& species = *conduct.species;
-    const CreatureState before = state;
+    const Before before(conduct, state);
     const double reach = std::max(body_length(species), 0.6 * mean_leg_length(species));
     const Feel feel = feel_ahead(surface, state.ground, reach);
     steer(conduct, company, feel, reach, dt, state);
@@ -188,9 +199,9 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
     measures.least_margin = std::min(measures.least_margin, margin);
     measures.distance += norm(state.ground.velocity) * dt;
     measures.worst_penetration = std::max(measures.worst_penetration, below);
-    measures.worst_slip = std::max(measures.worst_slip, slip_between(before, state, species.limbs.size()));
+    measures.worst_slip = std::max(measures.worst_slip, before.slip(state, species.limbs.size()));
     measures.worst_turn =
-        std::max(measures.worst_turn, degrees_turned(pose_of(conduct, before), pose_of(conduct, state)));
+        std::max(measures.worst_turn, degrees_turned(before.pose, pose_of(conduct, state)));
 }
 
 Support support_of(const Conduct& conduct, const CreatureState& state) noexcept {

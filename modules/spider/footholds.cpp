@@ -23,9 +23,9 @@ Foothold along_surface(const Surface& surface, const Footing& ground, const Vec3
     const Vec3 way = across(wanted - ground.position, ground.up);
     const double length = norm(way);
     if (length == 0) return {true, ground.at, ground.position, ground.up};
-    const SurfaceStep placed = surface.place(ground.at, ground.up, way / length);
-    if (placed.answer != Answer::found) return {};
-    const SurfaceStep step = surface.stride(placed.end, length, {}).step;
+    Footing from = ground;
+    from.forward = way / length;
+    const SurfaceStep step = surface.stride(from, length, {}).step;
     // Where the surface ends on the way, its rim is a place too.
     if (step.answer != Answer::found || step.stop == StepStop::limit) return {};
     return {true, step.end.at, step.end.position, step.end.up};

@@ -23,9 +23,9 @@ Vec3 unit_or(const Vec3& v, const Vec3& otherwise) noexcept {
 /// Where a stride in that direction ends; the ground itself where there is no answer.
 SurfaceStride stride_from(const Surface& surface, const Ground& ground, const Vec3& way, double reach,
                           std::span<StrideCorner> corners) noexcept {
-    const SurfaceStep placed = surface.place(ground.footing.at, ground.footing.up, way);
-    SurfaceStride stride;
-    if (placed.answer == Answer::found) stride = surface.stride(placed.end, reach, corners);
+    Footing from = ground.footing;
+    from.forward = way;
+    SurfaceStride stride = surface.stride(from, reach, corners);
     if (stride.step.answer != Answer::found) stride.step.end = ground.footing;
     return stride;
 }
@@ -35,11 +35,11 @@ SurfaceStride stride_from(const Surface& surface, const Ground& ground, const Ve
 MoveEnd move(const Surface& surface, double dt, Ground& ground) noexcept {
     const double speed = norm(ground.velocity);
     if (speed == 0) return MoveEnd::moved;
-    const SurfaceStep placed = surface.place(ground.footing.at, ground.footing.up, ground.velocity / speed);
-    if (placed.answer != Answer::found) return MoveEnd::lost;
-    const SurfaceStep step = surface.step(placed.end, speed * dt);
+    Footing from = ground.footing;
+    from.forward = ground.velocity / speed;
+    const SurfaceStep step = surface.step(from, speed * dt);
     if (step.answer != Answer::found) return MoveEnd::lost;
-    ground.facing = unit_or(carried(ground.facing, placed.end, step.end), step.end.forward);
+    ground.facing = unit_or(carried(ground.facing, from, step.end), step.end.forward);
     ground.velocity = speed * step.end.forward;
     ground.footing = step.end;
     if (step.stop == StepStop::none) return MoveEnd::moved;

@@ -59,7 +59,7 @@ public:
 private:
     /// The thorax's middle, seen from where the creature stands.
     bool root_is_free() noexcept {
-        constexpr double kOff = 1e-6;  // of the height, so that a ray does not begin in the ground
+        constexpr double kOff = 1e-3;  // of the height, so that nothing begins in the ground
         const double height = distance(root_, ground_.position);
         const SurfaceHit near = surface_.closest_point(root_, height * (1 - kOff));
         const double free = near.answer == Answer::found ? near.distance : height * (1 - kOff);

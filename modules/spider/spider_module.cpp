@@ -75,20 +75,14 @@ public:
         step_ = frame.step;
         const double reach = 1.5 * mean_leg_length(species_);
         if (creatures_.size() > 1) neighbors_.gather(position_, reach);
-        auto advance = [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) advance_one(i, reach, frame.step);
-        };
-        if (workers_ != nullptr)
-            workers_->for_each_range(creatures_.size(), kGrain, advance);
-        else
-            advance(0, creatures_.size());
+        for_each([&](std::size_t i) { advance_one(i, reach, frame.step); });
         keep_state();
     }
 
     void restored() override {
         for (std::size_t i = 0; i < creatures_.size(); ++i)
             read_numbers(&numbers_[i * per_creature_], species_.limbs.size(), creatures_[i]);
-        skeleton_.pose(conduct_, creatures_);
+        is_posed_ = false;
     }
 
     void report(ModuleReport& report) override {
@@ -116,13 +110,29 @@ public:
         report.measure("distance_walked_m", all.distance);
     }
 
-    std::span<const Vec3> points() const noexcept override { return skeleton_.points(); }
+    /// Bones are posed when somebody wants to see them.
+    std::span<const Vec3> points() const noexcept override {
+        if (!is_posed_) skeleton_.pose(conduct_, creatures_);
+        is_posed_ = true;
+        return skeleton_.points();
+    }
     std::span<const ThreadSegment> segments() const noexcept override { return skeleton_.segments(); }
     std::span<const std::string_view> kinds() const noexcept override { return kSkeletonKinds; }
     std::uint64_t revision() const noexcept override { return 0; }
 
 private:
     static constexpr std::size_t kGrain = 8;
+
+    template <class F>
+    void for_each(const F& f) {
+        auto range = [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) f(i);
+        };
+        if (workers_ != nullptr)
+            workers_->for_each_range(creatures_.size(), kGrain, range);
+        else
+            range(0, creatures_.size());
+    }
 
     void make_state(Host& host, std::size_t count) {
         position_ = host.state().vectors("position", count, {"m", "middles of the creatures' thoraxes"});
@@ -177,17 +187,18 @@ private:
                          creatures_[i], measures_[i]);
     }
 
+    /// Only when all have advanced: they look at where others were.
     void keep_state() {
         const std::size_t legs = species_.limbs.size();
-        for (std::size_t i = 0; i < creatures_.size(); ++i) {
+        for_each([&](std::size_t i) {
             const BodyPose pose = pose_of(conduct_, creatures_[i]);
             position_[i] = pose.position;
             up_[i] = pose.up;
             forward_[i] = pose.forward;
             for (std::size_t leg = 0; leg < legs; ++leg) foot_[i * legs + leg] = creatures_[i].feet[leg].place;
             write_numbers(creatures_[i], legs, &numbers_[i * per_creature_]);
-        }
-        skeleton_.pose(conduct_, creatures_);
+        });
+        is_posed_ = false;
     }
 
     Species species_;
@@ -199,7 +210,8 @@ private:
     std::vector<CreatureState> creatures_;
     std::vector<CreatureMeasures> measures_;
     Neighbors neighbors_;
-    Skeleton skeleton_;
+    mutable Skeleton skeleton_;
+    mutable bool is_posed_ = false;
     std::span<Vec3> position_, up_, forward_, foot_;  // state
     std::span<double> numbers_;                       // state
     std::size_t per_creature_ = 0;

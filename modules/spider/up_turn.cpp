@@ -65,11 +65,12 @@ Vec3 turned_between(const Vec3& a, const Vec3& b, double share) noexcept {
 }
 
 Vec3 turned_about(const Vec3& up, const Vec3& from, const Vec3& to, double most_degrees) noexcept {
-    const double off = degrees_between(from, to);
-    if (off <= most_degrees) return to;
-    const Vec3 by = off > 179 ? cross(up, from) : to;
-    const Vec3 turned = turned_between(from, by, most_degrees / degrees_between(from, by));
-    return unit(across(turned, up));
+    constexpr double kRadian = 0.017453292519943295;
+    if (degrees_between(from, to) <= most_degrees) return to;
+    const Vec3 left = cross(up, from);
+    const Rotor<double> turn = rotor(most_degrees * kRadian);
+    const double across_to = dot(left, to);
+    return unit(turn.c * from + (across_to < 0 ? -turn.s : turn.s) * left);
 }
 
 Vec3 carried_over(const Vec3& forward, const Vec3& before, const Vec3& after) noexcept {

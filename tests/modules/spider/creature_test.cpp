@@ -121,10 +121,10 @@ TEST_CASE("who stands has the middle of its body among its feet", "[unit]") {
     const Land land(mesh::room(0.5, 4));
     CreatureState state;
     place_creature(land.surface(), conduct, land.stand({0, -0.25, 0}, {0, 1, 0}, {1, 0, 0}), state);
-    CHECK(stability_margin(conduct, state) > 0.01);
-    CHECK(stability_margin(conduct, state) < 0.05);
+    CHECK(support_of(conduct, state).margin > 0.01);
+    CHECK(support_of(conduct, state).margin < 0.05);
     for (std::size_t leg = 0; leg < 8; leg += 2) state.progress[leg] = 0.5;  // all of one side
-    CHECK(stability_margin(conduct, state) < 0);
+    CHECK(support_of(conduct, state).margin < 0);
     for (std::size_t leg = 0; leg < 8; ++leg) state.progress[leg] = 0.5;
-    CHECK(stability_margin(conduct, state) < 0);
+    CHECK(support_of(conduct, state).margin < 0);
 }
