@@ -69,7 +69,8 @@ StepTimes step_times(const Pace& pace) noexcept {
 Foothold foothold_for(const Walk& walk, const Limb& limb, const Vec3& wanted, const BodyPose& landing,
                       double search) noexcept {
     LegSolverOptions options;
-    options.restarts = 2;  // a place that takes more is not worth it: there are others
+    options.restarts = 2;      // a place that takes more is not worth it: there are others
+    options.tolerance = 1e-3;  // that it reaches is all that is asked
     const auto serves = [&](const Foothold& hold) {
         if (!holds(walk.surface.grip(hold.at.face), hold.up, walk.conduct.gravity)) return false;
         if (distance(hold.position, to_world(landing, limb.base)) > kMostStretch * limb.leg.length)
