@@ -30,6 +30,13 @@ SurfaceStride stride_from(const Surface& surface, const Ground& ground, const Ve
     return stride;
 }
 
+/// Whether a body finds room there.
+bool has_headroom(const Surface& surface, const Footing& there, double headroom) noexcept {
+    constexpr double kOff = 1e-3;  // of it, so that the ray does not begin in the ground
+    const Vec3 start = there.position + kOff * headroom * there.up;
+    return surface.first_hit({start, there.up, headroom}).answer != Answer::found;
+}
+
 }  // namespace
 
 MoveEnd move(const Surface& surface, double dt, Ground& ground) noexcept {
@@ -56,7 +63,7 @@ void face_ahead(double most_degrees, Ground& ground) noexcept {
     ground.facing = turned_about(ground.footing.up, facing, wanted, most_degrees);
 }
 
-Feel feel_ahead(const Surface& surface, const Ground& ground, double reach) noexcept {
+Feel feel_ahead(const Surface& surface, const Ground& ground, double reach, double headroom) noexcept {
     std::array<StrideCorner, 4> corners;
     const SurfaceStride ahead = stride_from(surface, ground, ground.facing, reach, corners);
     const SurfaceStride behind = stride_from(surface, ground, -1 * ground.facing, reach, {});
@@ -64,9 +71,10 @@ Feel feel_ahead(const Surface& surface, const Ground& ground, double reach) noex
     Feel feel;
     feel.up = unit_or(ahead.step.end.up + here + behind.step.end.up, here);
     feel.corner_distance = feel.border_distance = reach * 2;
-    if (ahead.step.stop == StepStop::border) {
+    const bool ends = ahead.step.stop == StepStop::border;
+    if (ends || !has_headroom(surface, ahead.step.end, headroom)) {
         const Vec3 left = cross(here, ground.facing);
-        feel.border_distance = ahead.step.walked;
+        feel.border_distance = ends ? ahead.step.walked : reach / 2;
         feel.room_left = stride_from(surface, ground, ground.facing + left, reach, {}).step.walked;
         feel.room_right = stride_from(surface, ground, ground.facing - left, reach, {}).step.walked;
     }

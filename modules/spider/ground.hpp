@@ -36,6 +36,6 @@ struct Feel {
     double border_distance = 0;  ///< m, to where the surface ends ahead; beyond the reach: it does not
     double room_left = 0, room_right = 0;  ///< m, to where it ends half left and half right, if it ends ahead
 };
-Feel feel_ahead(const Surface& surface, const Ground& ground, double reach) noexcept;
+Feel feel_ahead(const Surface& surface, const Ground& ground, double reach, double headroom) noexcept;
 
 }  // namespace orbweaver::spider
