@@ -47,9 +47,9 @@ double gap_to(const std::vector<Ball>& balls, const Vec3& point) noexcept {
     return least;
 }
 
-/// m, the largest gap between the ellipsoid and the balls in it: looked for at points five degrees apart.
+/// m, the largest gap between the ellipsoid and the balls in it: looked for at points three degrees apart.
 double largest_gap(const Halves& halves, const std::vector<Ball>& balls) noexcept {
-    constexpr double kApart = 5, kBetween = 1.03;  // degrees; what may be missed between points
+    constexpr double kApart = 3, kBetween = 1.1;  // degrees; what may be missed between points
     double largest = 0;
     for (double latitude = -90; latitude <= 90; latitude += kApart)
         for (double longitude = 0; longitude < 360; longitude += kApart) {

@@ -14,9 +14,10 @@ struct Ball {
     double radius = 0;  ///< m
 };
 
-/// An ellipsoid as a body's thorax, head or abdomen is one, made of balls: those of its medial disk (the largest
-/// that fit within it touch it all around; Blum 1967), as many as leave little of it out, and grown by what they
-/// leave out. The ellipsoid lies within their union, and so is clear of whatever all of them are clear of.
+/// An ellipsoid as a body's thorax, head or abdomen is one, made of balls: those of its medial disk (the
+/// largest that fit within it touch it all around; Blum 1967), as many as leave little of it out, and grown by
+/// what they leave out. The ellipsoid lies within their union, and so is clear of whatever all of them are
+/// clear of.
 struct BodyPart {
     Ball around;              ///< of the ellipsoid's middle, with all others in it
     std::vector<Ball> balls;  ///< from the middle outwards

@@ -29,9 +29,8 @@ double alignment(const CreatureState& state, const Vec3& wanted_up) noexcept {
 
 Vec3 wish(const Conduct& conduct, const Company& company, const Feel& feel, double reach, double dt,
           CreatureState& state) noexcept {
-    const double careful =
-        std::min({caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest),
-                  alignment(state, feel.up), patience(state)});
+    const double careful = std::min({caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest),
+                                     alignment(state, feel.up), patience(state)});
     const Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
                       conduct.pace.top_speed * careful};
     const double speed = norm(state.ground.velocity);
@@ -42,8 +41,8 @@ Vec3 wish(const Conduct& conduct, const Company& company, const Feel& feel, doub
     return blend(agent, wishes);
 }
 
-/// A wish that leads to where the surface ends is turned aside, to the side that has more room: the nearer the end,
-/// the slower.
+/// A wish that leads to where the surface ends is turned aside, to the side that has more room: the nearer the
+/// end, the slower.
 Vec3 clear_of_borders(const Ground& ground, const Feel& feel, double reach, const Vec3& wanted) noexcept {
     constexpr double kSlowest = 0.3;
     if (feel.border_distance >= reach) return wanted;
@@ -67,8 +66,8 @@ Vec3 away_from_gaps(const Conduct& conduct, const CreatureState& state, const Ve
     return away == Vec3{} || length == 0 ? wanted : (norm(wanted) / length) * bent;
 }
 
-/// A creature goes where its head looks, or little aside of it: what it wishes to go farther about waits for the
-/// head to turn, the slower the farther.
+/// A creature goes where its head looks, or little aside of it: what it wishes to go farther about waits for
+/// the head to turn, the slower the farther.
 Vec3 ahead_of_head(const Ground& ground, const Vec3& wanted) noexcept {
     constexpr double kAside = 25, kSlowest = 0.3;  // degrees; of the speed
     const double speed = norm(wanted);
@@ -90,7 +89,8 @@ void steer(const Conduct& conduct, const Company& company, const Feel& feel, dou
     state.ground.velocity = accelerate(agent, control(agent, wanted, conduct.response, conduct.strength), dt);
 }
 
-/// Up and forward in dt s, both together by no more than the creature's rate: they turn about axes at right angles.
+/// Up and forward in dt s, both together by no more than the creature's rate: they turn about axes at right
+/// angles.
 void turn_body(const Conduct& conduct, const Vec3& wanted_up, double dt, CreatureState& state) noexcept {
     constexpr double kUpsShare = 0.8;  // of the rate; it leaves forward three fifths
     const double most_degrees = conduct.turn_rate * dt;
@@ -110,7 +110,8 @@ void turn_body(const Conduct& conduct, const Vec3& wanted_up, double dt, Creatur
     state.spin = dot(cross(carried, state.forward), up) / dt;  // the sine of so little is the angle
 }
 
-/// Moves the body off what it would come too near to, and back to its height in a moment where there is nothing.
+/// Moves the body off what it would come too near to, and back to its height in a moment where there is
+/// nothing.
 double hold_body(const Surface& surface, const Conduct& conduct, double dt, CreatureState& state) noexcept {
     constexpr double kMost = 0.8, kMoment = 0.15;  // of the legs' length; s
     state.shift = std::max(0.0, 1 - dt / kMoment) * state.shift + state.sway;
@@ -133,9 +134,8 @@ Vec3 sway_of(const Conduct& conduct, const Support& support, const CreatureState
 /// Degrees of the one turn that leads from pose to pose: the chords of its axes, squared, sum to 8 sin^2(a/2).
 double degrees_turned(const BodyPose& from, const BodyPose& to) noexcept {
     const auto square = [](const Vec3& v) { return dot(v, v); };
-    const double sine = std::sqrt((square(to.forward - from.forward) + square(to.up - from.up) +
-                                   square(to.right - from.right)) /
-                                  8);
+    const double sine = std::sqrt(
+        (square(to.forward - from.forward) + square(to.up - from.up) + square(to.right - from.right)) / 8);
     constexpr double kDegree = 57.29577951308232;
     return 2 * kDegree * angle_of(std::sqrt(std::max(0.0, 1 - sine * sine)), sine);
 }
@@ -200,8 +200,7 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
     measures.distance += norm(state.ground.velocity) * dt;
     measures.worst_penetration = std::max(measures.worst_penetration, below);
     measures.worst_slip = std::max(measures.worst_slip, before.slip(state, species.limbs.size()));
-    measures.worst_turn =
-        std::max(measures.worst_turn, degrees_turned(before.pose, pose_of(conduct, state)));
+    measures.worst_turn = std::max(measures.worst_turn, degrees_turned(before.pose, pose_of(conduct, state)));
 }
 
 Support support_of(const Conduct& conduct, const CreatureState& state) noexcept {

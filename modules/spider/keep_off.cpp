@@ -15,11 +15,13 @@ struct Overlap {
     Vec3 way;
 };
 
-/// What is known to be free of surface about one body, on the side that its creature is on: open balls that hang
-/// together with each other. They spare most questions: a ball within one of them is clear.
+/// What is known to be free of surface about one body, on the side that its creature is on: open balls that
+/// hang together with each other. They spare most questions: a ball within one of them is clear.
 class FreeSpace {
 public:
-    void add(const Vec3& center, double radius) noexcept { known_[count_++ % known_.size()] = {center, radius}; }
+    void add(const Vec3& center, double radius) noexcept {
+        known_[count_++ % known_.size()] = {center, radius};
+    }
     bool holds(const Vec3& center, double radius) const noexcept {
         return any([&](const Ball& each) {
             return distance(each.center, center) + radius <= each.radius * (1 - kRounding);
@@ -81,8 +83,8 @@ private:
         }
     }
 
-    /// m, from the middle of a ball to the surface, or `reach` if it is farther; below 0 where it is beyond. What
-    /// overlaps is noted.
+    /// m, from the middle of a ball to the surface, or `reach` if it is farther; below 0 where it is beyond.
+    /// What overlaps is noted.
     double look(const Vec3& center, double radius, double reach) noexcept {
         const SurfaceHit near = surface_.closest_point(center, reach);
         const double free = near.answer == Answer::found ? near.distance : reach;
@@ -126,8 +128,8 @@ double penetration(const Surface& surface, const BodyShape& shape, const Footing
     return Prober(surface, shape, ground).deepest(pose).depth;
 }
 
-double keep_off(const Surface& surface, const BodyShape& shape, const Footing& ground, const BodyPose& unshifted,
-                double most, Vec3& shift) noexcept {
+double keep_off(const Surface& surface, const BodyShape& shape, const Footing& ground,
+                const BodyPose& unshifted, double most, Vec3& shift) noexcept {
     constexpr int kPushes = 40;
     const double spare = kSpare * distance(unshifted.position, ground.position);
     Prober prober(surface, shape, ground);

@@ -51,7 +51,8 @@ std::size_t Neighbors::around(std::size_t i, std::span<Vec3> near) const noexcep
     for (std::int64_t dx = -1; dx <= 1; ++dx)
         for (std::int64_t dy = -1; dy <= 1; ++dy) {
             const Cell last = columns.cell + dx * kNextX + dy * kNextY + 1;
-            for (std::size_t at = columns.begin[column++]; at < cells_.size() && cells_[at].cell <= last; ++at) {
+            for (std::size_t at = columns.begin[column++]; at < cells_.size() && cells_[at].cell <= last;
+                 ++at) {
                 if (count == near.size()) return count;
                 const Vec3& other = positions_[cells_[at].index];
                 if (cells_[at].index != i && distance(here, other) < reach_) near[count++] = other;

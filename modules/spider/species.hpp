@@ -37,18 +37,19 @@ struct Limb {
 struct Species {
     std::string name;
     Body body;
-    BodyShape shape;  ///< of the body
+    BodyShape shape;          ///< of the body
     std::vector<Limb> limbs;  ///< R1 L1 R2 L2 ...
     std::size_t groups = 0;   ///< one more than the largest group
     double height = 0;        ///< m; the thorax's middle above the feet at rest, on average
-    double stance_radius = 0;  ///< m; from it to feet in the middle of their stance, on average, along the ground
+    double stance_radius =
+        0;  ///< m; from it to feet in the middle of their stance, on average, along the ground
 };
 
 /// m, of legs that are there.
 double mean_leg_length(const Species& species) noexcept;
 
-/// Where a foot stands in the middle of its stance: where it is at rest, but near enough to reach as far ahead as
-/// behind.
+/// Where a foot stands in the middle of its stance: where it is at rest, but near enough to reach as far ahead
+/// as behind.
 Vec3 stance_of(const Limb& limb) noexcept;
 
 /// A point from the body's frame into a limb's, and back.

@@ -301,7 +301,8 @@ std::optional<Species> read_species(const Node& root, const std::string& name, D
     for (Limb& limb : species.limbs) {
         limb.stance = stance_of(limb);
         species.height -= limb.home.y / static_cast<double>(species.limbs.size());
-        species.stance_radius += norm(across(limb.stance, {0, 1, 0})) / static_cast<double>(species.limbs.size());
+        species.stance_radius +=
+            norm(across(limb.stance, {0, 1, 0})) / static_cast<double>(species.limbs.size());
     }
     return species;
 }

@@ -63,7 +63,8 @@ struct StepTimes {
 StepTimes step_times(const Pace& pace) noexcept {
     if (!(pace.frequency > 0)) return {};
     constexpr double kLongest = 2 * kLandingTime;  // foreseen
-    return {std::min((1 - pace.duty) / pace.frequency, kLandingTime), std::min(pace.duty / pace.frequency, kLongest)};
+    return {std::min((1 - pace.duty) / pace.frequency, kLandingTime),
+            std::min(pace.duty / pace.frequency, kLongest)};
 }
 
 Foothold foothold_for(const Walk& walk, const Limb& limb, const Vec3& wanted, const BodyPose& landing,
@@ -114,8 +115,7 @@ void begin_swing(const Walk& walk, std::size_t leg) noexcept {
     foot.swing.start_up = walk.body.up;
     foot.swing.end = hold.found ? hold.position : searched_place(walk, limb, foot, wanted, search);
     foot.swing.end_up = hold.found ? hold.up : walk.body.up;
-    foot.swing.height =
-        kLift * walk.conduct.species->height + 0.1 * distance(foot.swing.start, foot.swing.end);
+    foot.swing.height = kLift * walk.conduct.species->height + 0.1 * distance(foot.swing.start, foot.swing.end);
     walk.state.progress[leg] = std::max(walk.state.progress[leg], 0.0);
 }
 
@@ -193,7 +193,8 @@ LegResults solve_side_by_side(const Walk& walk) noexcept {
 }
 
 void reach_feet(const Walk& walk) noexcept {
-    const LegResults results = walk.conduct.lanes != nullptr ? solve_side_by_side(walk) : solve_one_by_one(walk);
+    const LegResults results =
+        walk.conduct.lanes != nullptr ? solve_side_by_side(walk) : solve_one_by_one(walk);
     CreatureMeasures& measures = walk.measures;
     for (std::size_t leg = 0; leg < walk.legs(); ++leg) {
         const Limb& limb = walk.limb(leg);

@@ -32,7 +32,8 @@ Support support_of(std::span<const SupportPoint> feet) noexcept {
         std::size_t next = at;
         for (std::size_t i = 0; i < feet.size(); ++i) {
             const double left = left_of(feet[at], feet[next], feet[i]);
-            if (left < 0 || (left == 0 && square_between(feet[at], feet[i]) > square_between(feet[at], feet[next])))
+            if (left < 0 ||
+                (left == 0 && square_between(feet[at], feet[i]) > square_between(feet[at], feet[next])))
                 next = i;
         }
         if (next == at) return kNone;  // all in one place

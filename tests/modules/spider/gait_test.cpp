@@ -152,3 +152,40 @@ TEST_CASE("speed is stride times frequency, and both grow with it", "[unit]") {
     }
     CHECK(pace_at(range, 9).duty == Approx(0.6));
 }
+
+TEST_CASE("a leg waits whose lift would let the creature fall over, unless it is strained", "[unit]") {
+    constexpr int kCycle = 30;  // frames
+    const Gait& gait = *find_gait("tetrapod");
+    const auto lifts = [&](bool strained) {
+        Walker walker(8, gait);
+        // Without L4 all weight is behind the feet.
+        walker.feet = {{2, -1}, {2, 1}, {2, -1}, {2, 1}, {1, -1}, {1, 1}, {-2, -1}, {0.5, 1}};
+        walker.strained[6] = strained ? 1 : 0;
+        int lifted = 0;
+        for (int i = 0; i < 2 * kCycle; ++i) {
+            walker.advance(gait, {0.05, 2, 0.7});
+            lifted += walker.lifted[6];
+        }
+        return lifted;
+    };
+    CHECK(lifts(false) == 0);
+    CHECK(lifts(true) > 0);
+}
+
+TEST_CASE("a leg waits where the creature would fall over before it lands", "[unit]") {
+    constexpr int kCycle = 30;  // frames
+    const Gait& gait = *find_gait("tetrapod");
+    const auto lifts = [&](double speed) {
+        Walker walker(8, gait);
+        walker.feet = {{2, -1}, {2, 1}, {1, -1}, {1, 1}, {-1, -1}, {-1, 1}, {-2, -1}, {-2, 1}};
+        walker.velocity = {speed, 0};
+        int lifted = 0;
+        for (int i = 0; i < 2 * kCycle; ++i) {
+            walker.advance(gait, {0.05, 2, 0.7});
+            lifted += walker.lifted[0];
+        }
+        return lifted;
+    };
+    CHECK(lifts(0) > 0);
+    CHECK(lifts(20) == 0);  // 3 in the 0.15 s of a swing: L1 is one of the last two that it has by then
+}

@@ -80,7 +80,7 @@ TEST_CASE("a head turns towards the way at its rate, right about too", "[unit]")
 TEST_CASE("a wall is felt before the creature arrives, and an edge too", "[unit]") {
     const Land room(mesh::room(2, 4)), cube(mesh::cube(2, 4));
     const Ground inside = standing(room, {0.8, -1, 0.1}, {0, 1, 0}, {1, 0, 0.2}, 0.3);
-    const Feel wall = feel_ahead(room.surface(), inside, 0.4);
+    const Feel wall = feel_ahead(room.surface(), inside, 0.4, 0.01);
     CHECK(wall.rises);
     CHECK(wall.corner_degrees == Approx(90).margin(0.001));
     CHECK(wall.corner_distance == Approx(0.2 * norm(Vec3{1, 0, 0.2})).epsilon(1e-9));
@@ -88,10 +88,26 @@ TEST_CASE("a wall is felt before the creature arrives, and an edge too", "[unit]
     const double share = 1 / std::sqrt(5.0);  // two ups of the floor, one of the wall
     CHECK(distance(wall.up, {-share, 2 * share, 0}) < 1e-12);
     const Ground outside = standing(cube, {0.8, 1, 0.1}, {0, 1, 0}, {1, 0, 0}, 0.3);
-    const Feel edge = feel_ahead(cube.surface(), outside, 0.4);
+    const Feel edge = feel_ahead(cube.surface(), outside, 0.4, 0.01);
     CHECK_FALSE(edge.rises);
     CHECK(distance(edge.up, {share, 2 * share, 0}) < 1e-12);
-    const Feel level = feel_ahead(cube.surface(), outside, 0.1);
+    const Feel level = feel_ahead(cube.surface(), outside, 0.1, 0.01);
     CHECK(level.corner_distance > 0.1);
     CHECK(level.up == Vec3{0, 1, 0});
+}
+
+TEST_CASE("the end of the surface is felt ahead, and the side that has more room", "[unit]") {
+    const Land strip(mesh::height_field(1, 4));
+    const Ground towards = standing(strip, {0.45, 0.02, 0.3}, {0, 1, 0}, {1, 0, 0}, 0.1);
+    const Feel border = feel_ahead(strip.surface(), towards, 0.1, 0.01);
+    CHECK(border.border_distance > 0.04);
+    CHECK(border.border_distance < 0.08);  // hills are longer than they are wide
+    // Half left of +x is towards -z, where there is room; half right is the nearer corner.
+    CHECK(border.room_left >= border.room_right);
+    const Feel far = feel_ahead(strip.surface(), towards, 0.03, 0.01);
+    CHECK(far.border_distance > 0.03);
+    const Land crevice(mesh::room(0.05, 2));
+    const Ground below = standing(crevice, {0, -0.025, 0}, {0, 1, 0}, {1, 0, 0}, 0.1);
+    CHECK(feel_ahead(crevice.surface(), below, 0.01, 0.049).border_distance > 0.01);
+    CHECK(feel_ahead(crevice.surface(), below, 0.01, 0.051).border_distance < 0.01);  // the ceiling is too low
 }
