@@ -49,16 +49,17 @@ double gap_to(const std::vector<Ball>& balls, const Vec3& point) noexcept {
 
 /// m, the largest gap between the ellipsoid and the balls in it: looked for at points three degrees apart.
 double largest_gap(const Halves& halves, const std::vector<Ball>& balls) noexcept {
-    constexpr double kApart = 3, kBetween = 1.1;  // degrees; what may be missed between points
+    constexpr int kApart = 3;  // degrees
     double largest = 0;
-    for (double latitude = -90; latitude <= 90; latitude += kApart)
-        for (double longitude = 0; longitude < 360; longitude += kApart) {
+    for (int latitude = -90; latitude <= 90; latitude += kApart)
+        for (int longitude = 0; longitude < 360; longitude += kApart) {
             const double level = cos_degrees(latitude);
             const Vec3 point{halves.axes[0] * level * cos_degrees(longitude),
                              halves.axes[1] * sin_degrees(latitude),
                              halves.axes[2] * level * sin_degrees(longitude)};
             largest = std::max(largest, gap_to(balls, point));
         }
+    constexpr double kBetween = 1.1;  // what points so far apart may miss
     return kBetween * largest;
 }
 
