@@ -26,7 +26,8 @@ MoveEnd move(const Surface& surface, double dt, Ground& ground) noexcept;
 void face_ahead(double most_degrees, Ground& ground) noexcept;
 
 /// What lies `reach` m ahead and behind along the surface: the paper's probe (ap Cenydd and Teahan 2005, 5.1),
-/// by which a wall is felt before the creature arrives.
+/// by which a wall is felt before the creature arrives; and whether there is room above the surface there, at
+/// least `headroom` m: where there is none it is as if it ended half way.
 struct Feel {
     Vec3 up;  ///< unit: the mean of the ups ahead, here and behind; here's where they say nothing
     double corner_distance = 0;  ///< m, to the first corner ahead; beyond the reach: there is none
