@@ -103,4 +103,11 @@ BodyShape shape_of(const Body& body) {
     return shape;
 }
 
+double depth_of(const BodyShape& shape) noexcept {
+    double deepest = 0;
+    for (const BodyPart& part : shape.parts)
+        for (const Ball& ball : part.balls) deepest = std::max(deepest, ball.radius - ball.center.y);
+    return deepest;
+}
+
 }  // namespace orbweaver::spider

@@ -32,4 +32,7 @@ struct BodyShape {
 };
 BodyShape shape_of(const Body& body);
 
+/// m, how far it reaches below the thorax's middle.
+double depth_of(const BodyShape& shape) noexcept;
+
 }  // namespace orbweaver::spider

@@ -164,7 +164,7 @@ struct Before {
 
 BodyPose pose_of(const Conduct& conduct, const CreatureState& state) noexcept {
     const Vec3& up = state.turn.up;
-    return {state.ground.footing.position + conduct.species->height * up + state.shift, state.forward, up,
+    return {state.ground.footing.position + conduct.species->carriage * up + state.shift, state.forward, up,
             cross(state.forward, up)};
 }
 
@@ -182,7 +182,7 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
     const Species& species = *conduct.species;
     const Before before(conduct, state);
     const double reach = std::max(body_length(species), 0.6 * mean_leg_length(species));
-    const Feel feel = feel_ahead(surface, state.ground, reach, 1.5 * species.height);
+    const Feel feel = feel_ahead(surface, state.ground, reach, 1.5 * species.carriage);
     steer(conduct, company, feel, reach, dt, state);
     if (move(surface, dt, state.ground) == MoveEnd::lost) ++measures.lost_frames;
     face_ahead(conduct.turn_rate * dt, state.ground);

@@ -71,8 +71,8 @@ const Gait* find_gait(std::string_view name) noexcept {
 }
 
 double start_of(const Gait& gait, std::size_t leg, std::size_t legs) noexcept {
-    const auto behind = static_cast<double>((legs - 1) / 2 - leg / 2);  // pairs
-    return wrapped(gait.lag * behind + (leg % 2 == 1 ? gait.opposite : 0));
+    const std::size_t pairs_behind = (legs - 1) / 2 - leg / 2;
+    return wrapped(gait.lag * static_cast<double>(pairs_behind) + (leg % 2 == 1 ? gait.opposite : 0));
 }
 
 Pace pace_at(const PaceRange& range, double speed) noexcept {

@@ -77,10 +77,19 @@ private:
         const double reach = part.around.radius;
         const Vec3 middle = to_world(pose, part.around.center);
         if (space_.holds(middle, reach) || look(middle, part.balls[0].radius, reach) >= reach) return;
+        look_from_above(middle, pose.up, reach);
         for (const Ball& ball : part.balls) {
             const Vec3 center = to_world(pose, ball.center);
             if (!space_.holds(center, ball.radius)) look(center, ball.radius, reach);
         }
+    }
+
+    /// Over level ground a large free ball from above holds what lies flat beneath it.
+    void look_from_above(const Vec3& middle, const Vec3& up, double reach) noexcept {
+        const Vec3 high = middle + 2 * reach * up;
+        const SurfaceHit near = surface_.closest_point(high, 3 * reach);
+        const double free = near.answer == Answer::found ? near.distance : 3 * reach;
+        if (space_.touches(high, free)) space_.add(high, free);
     }
 
     /// m, from the middle of a ball to the surface, or `reach` if it is farther; below 0 where it is beyond.

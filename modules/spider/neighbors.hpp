@@ -29,7 +29,9 @@ private:
     struct Entry {
         Cell cell = 0;
         std::uint32_t index = 0;
-        friend auto operator<=>(const Entry&, const Entry&) = default;
+        friend bool operator<(const Entry& a, const Entry& b) noexcept {
+            return a.cell != b.cell ? a.cell < b.cell : a.index < b.index;
+        }
     };
     /// Where the three cells along z begin among all, in each of the nine columns about a creature's cell.
     struct Columns {

@@ -41,6 +41,7 @@ struct Species {
     std::vector<Limb> limbs;  ///< R1 L1 R2 L2 ...
     std::size_t groups = 0;   ///< one more than the largest group
     double height = 0;        ///< m; the thorax's middle above the feet at rest, on average
+    double carriage = 0;      ///< m; how high it is carried: so, or higher where its belly would drag
     double stance_radius =
         0;  ///< m; from it to feet in the middle of their stance, on average, along the ground
 };

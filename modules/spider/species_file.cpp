@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -304,6 +305,8 @@ std::optional<Species> read_species(const Node& root, const std::string& name, D
         species.stance_radius +=
             norm(across(limb.stance, {0, 1, 0})) / static_cast<double>(species.limbs.size());
     }
+    constexpr double kClear = 1.15;  // of what hangs below the thorax's middle: who is fat stands taller
+    species.carriage = std::max(species.height, kClear * depth_of(species.shape));
     return species;
 }
 

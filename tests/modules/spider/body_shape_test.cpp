@@ -78,3 +78,15 @@ TEST_CASE("a body's weight is where those of its parts balance", "[unit]") {
     CHECK(huntsman.shape.center_of_mass.y == 0);
     CHECK(huntsman.shape.center_of_mass.z == 0);
 }
+
+TEST_CASE("nobody drags its belly over level ground", "[unit]") {
+    for (const std::string& name : kCreatures) {
+        INFO(name);
+        const Species species = creature(name);
+        const Vec3& abdomen = species.body.abdomen;
+        CHECK(depth_of(species.shape) >= abdomen.y / 2);
+        CHECK(depth_of(species.shape) <= 1.36 * abdomen.y / 2);
+        CHECK(species.carriage > 1.1 * depth_of(species.shape));
+        CHECK(species.carriage >= species.height);
+    }
+}

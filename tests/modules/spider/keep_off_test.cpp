@@ -52,9 +52,7 @@ TEST_CASE("over level ground a body is as deep as its lowest ball", "[unit]") {
     const Land cube(mesh::cube(1, 4));
     const Species huntsman = creature("huntsman");
     const Footing ground = cube.stand({0.03, 0.5, 0.02}, {0, 1, 0}, {1, 0, 0});
-    double lowest = 0;
-    for (const BodyPart& part : huntsman.shape.parts)
-        for (const Ball& ball : part.balls) lowest = std::max(lowest, ball.radius - ball.center.y);
+    const double lowest = depth_of(huntsman.shape);
     for (const double height : {0.0011, 0.002, 0.0028}) {
         const BodyPose pose = above(ground, {1, 0, 0}, height);
         CHECK(penetration(cube.surface(), huntsman.shape, ground, pose) ==
