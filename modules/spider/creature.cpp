@@ -184,7 +184,7 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
     const double reach = std::max(body_length(species), 0.6 * mean_leg_length(species));
     const Feel feel = feel_ahead(surface, state.ground, reach, 1.5 * species.carriage);
     steer(conduct, company, feel, reach, dt, state);
-    if (move(surface, dt, state.ground) == MoveEnd::lost) ++measures.lost_frames;
+    if (move(surface, dt, 1.3 * species.carriage, state.ground) == MoveEnd::lost) ++measures.lost_frames;
     face_ahead(conduct.turn_rate * dt, state.ground);
     turn_body(conduct, feel.up, dt, state);
     const double below = hold_body(surface, conduct, dt, state);

@@ -39,13 +39,17 @@ bool has_headroom(const Surface& surface, const Footing& there, double headroom)
 
 }  // namespace
 
-MoveEnd move(const Surface& surface, double dt, Ground& ground) noexcept {
+MoveEnd move(const Surface& surface, double dt, double headroom, Ground& ground) noexcept {
     const double speed = norm(ground.velocity);
     if (speed == 0) return MoveEnd::moved;
     Footing from = ground.footing;
     from.forward = ground.velocity / speed;
-    const SurfaceStep step = surface.step(from, speed * dt);
+    const SurfaceStep step = surface.stride(from, speed * dt, {}).step;
     if (step.answer != Answer::found) return MoveEnd::lost;
+    if (!has_headroom(surface, step.end, headroom) && has_headroom(surface, from, headroom)) {
+        ground.velocity = -1 * ground.velocity;
+        return MoveEnd::turned;
+    }
     ground.facing = unit_or(carried(ground.facing, from, step.end), step.end.forward);
     ground.velocity = speed * step.end.forward;
     ground.footing = step.end;
