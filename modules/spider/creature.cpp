@@ -44,19 +44,19 @@ Vec3 wish(const Conduct& conduct, const Company& company, const Feel& feel, doub
 /// A wish that leads to where the surface ends is turned aside, to the side that has more room: the nearer the
 /// end, the slower.
 Vec3 clear_of_borders(const Ground& ground, const Feel& feel, double reach, const Vec3& wanted) noexcept {
-    constexpr double kSlowest = 0.3;
+    constexpr double kSlowest = 0.05, kApart = 0.3;  // of the speed; of the reach, which is kept from it
     if (feel.border_distance >= reach) return wanted;
     const Vec3 left = cross(ground.footing.up, ground.facing);
-    return norm(wanted) * std::max(kSlowest, feel.border_distance / reach) *
+    return norm(wanted) * std::max(kSlowest, feel.border_distance / reach - kApart) *
            (feel.room_left >= feel.room_right ? left : -1 * left);
 }
 
-/// A wish is bent away from where feet find nothing to stand on.
+/// A wish is bent away from where feet find nothing to stand on, or no more than a rim.
 Vec3 away_from_gaps(const Conduct& conduct, const CreatureState& state, const Vec3& wanted) noexcept {
     const Footing& ground = state.ground.footing;
     Vec3 away;
     for (std::size_t leg = 0; leg < conduct.species->limbs.size(); ++leg) {
-        if (state.feet[leg].holds) continue;
+        if (state.feet[leg].holds && !state.feet[leg].rim) continue;
         const Vec3 off = across(ground.position - state.feet[leg].place, ground.up);
         const double length = norm(off);
         if (length > 0) away += off / length;

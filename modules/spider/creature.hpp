@@ -51,6 +51,7 @@ struct Foot {
     Swing swing;         ///< under way, or the last one
     Vec3 home;           ///< m, body frame: where it is in the middle of its stance
     bool holds = false;  ///< it stands on the surface, or swings to a place on it; else it searches for one
+    bool rim = false;    ///< that place is where the surface ends
     std::uint32_t searches = 0;  ///< swings since it last found one
 };
 

@@ -44,6 +44,7 @@ void each_number(CreatureState& state, std::size_t legs, Each&& each) {
             vector(*v);
         each(foot.swing.height);
         each(foot.holds);
+        each(foot.rim);
         each(foot.searches);
         for (double& angle : state.poses[leg]) each(angle);
     }

@@ -110,6 +110,7 @@ void begin_swing(const Walk& walk, std::size_t leg) noexcept {
     foot.searches = hold.found ? 0 : foot.searches + 1;
     ++(hold.found ? walk.measures.steps : walk.measures.searches);
     foot.holds = hold.found;
+    foot.rim = hold.rim;
     foot.home = hold.found ? from_world(middle, hold.position) : limb.stance;
     foot.swing.start = foot.place;
     foot.swing.start_up = walk.body.up;

@@ -101,4 +101,5 @@ TEST_CASE("where the surface ends before the foot its rim is a place to stand", 
         find(strip, FootholdWay::surface, ground, ground.position + Vec3{0.1, 0, 0}, leg, 0.05);
     REQUIRE(found.found);
     CHECK(found.position.x == Approx(0.5).epsilon(1e-12));
+    CHECK(found.rim);
 }
