@@ -12,8 +12,9 @@ struct SupportPoint {
 /// The static stability margin (McGhee and Frank 1968), and the side of the feet's convex hull that it is
 /// measured from.
 struct Support {
-    double margin = 0;  ///< m, from the center of mass to the nearest side; below 0 where it is outside: then
-                        ///< the farthest that it is beyond a side. Minus infinity where feet span nothing.
+    /// m, from the center of mass to the nearest side; below 0 where it is outside: then the farthest that it
+    /// is beyond a side. Minus infinity where feet span nothing.
+    double margin = 0;
     SupportPoint inward;  ///< unit, across that side
 };
 Support support_of(std::span<const SupportPoint> feet) noexcept;
