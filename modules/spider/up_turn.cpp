@@ -66,11 +66,10 @@ Vec3 turned_between(const Vec3& a, const Vec3& b, double share) noexcept {
 
 Vec3 turned_about(const Vec3& up, const Vec3& from, const Vec3& to, double most_degrees) noexcept {
     constexpr double kRadian = 0.017453292519943295;
-    if (degrees_between(from, to) <= most_degrees) return to;
+    const Rotor<double> turn = rotor(kRadian * std::min(most_degrees, 180.0));
+    if (dot(from, to) >= turn.c) return to;
     const Vec3 left = cross(up, from);
-    const Rotor<double> turn = rotor(most_degrees * kRadian);
-    const double across_to = dot(left, to);
-    return unit(turn.c * from + (across_to < 0 ? -turn.s : turn.s) * left);
+    return unit(turn.c * from + (dot(left, to) < 0 ? -turn.s : turn.s) * left);
 }
 
 Vec3 carried_over(const Vec3& forward, const Vec3& before, const Vec3& after) noexcept {
