@@ -49,6 +49,7 @@ std::vector<double> numbers_of(CreatureState& state) {
 }  // namespace
 
 TEST_CASE("a foot that finds nothing searches, and stands as soon as there is something", "[unit]") {
+    constexpr std::uint64_t kFrames = 180;
     const Land wall(half_glass(), glass_is_slippery()), rock(half_glass());
     const Conduct conduct = standing_upright();
     const RandomStream random(1, "searching");
@@ -58,7 +59,7 @@ TEST_CASE("a foot that finds nothing searches, and stands as soon as there is so
     const std::array<std::size_t, 2> searching{0,
                                                1};  // the foremost: they do not turn back so far as to the rock
     Vec3 low = state.feet[0].place, high = low;
-    for (int i = 0; i < 180; ++i) {
+    for (std::uint64_t i = 0; i < kFrames; ++i) {
         advance_creature(wall.surface(), conduct, {random, {}, 0}, kFrame, state, measures);
         const BodyPose body = pose_of(conduct, state);
         for (const std::size_t leg : searching) {
@@ -72,9 +73,9 @@ TEST_CASE("a foot that finds nothing searches, and stands as soon as there is so
         low = {std::min(low.x, place.x), std::min(low.y, place.y), 0};
         high = {std::max(high.x, place.x), std::max(high.y, place.y), 0};
     }
-    CHECK(measures.searches > 2 * 3 * 7);  // each in an eighth of a second
-    CHECK(measures.feet_down <= 180 * (kLegs - 2));
-    CHECK(measures.feet_down >= 180 * 4);
+    CHECK(measures.searches > std::size_t{2} * 3 * 7);  // each in an eighth of a second
+    CHECK(measures.feet_down <= kFrames * (kLegs - 2));
+    CHECK(measures.feet_down >= kFrames * 4);
     CHECK(measures.worst_slip == 0);
     const double leg = huntsman().limbs[0].leg.length;
     CHECK(high.x - low.x > 0.3 * leg);
