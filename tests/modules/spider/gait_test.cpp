@@ -142,7 +142,8 @@ TEST_CASE("a strained leg steps out of turn, while its neighbors stand", "[unit]
 TEST_CASE("speed is stride times frequency, and both grow with it", "[unit]") {
     const PaceRange range{0.3, 0.02, 0.06, 0.8, 0.6};
     double stride = 0, frequency = -1;
-    for (double speed = 0; speed <= 0.3; speed += 0.01) {
+    for (int i = 0; i <= 30; ++i) {
+        const double speed = 0.01 * i;
         const Pace pace = pace_at(range, speed);
         CHECK(pace.stride * pace.frequency == Approx(speed).margin(1e-15));
         CHECK(pace.stride > stride);
