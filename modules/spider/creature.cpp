@@ -3,61 +3,34 @@
 #include <algorithm>
 #include <cmath>
 
+#include "keep_off.hpp"
+#include "rotor.hpp"
+#include "stepping.hpp"
+
 namespace orbweaver::spider {
 namespace {
-
-constexpr double kMostStretch = 0.96;  // of a leg's length, of a foothold
-constexpr double kStrained = 0.97;     // of a leg's length: it steps out of turn
-constexpr double kOffHome = 1.3;       // of half a stride's excursion: the same
-constexpr double kLandingTime = 0.12;  // s
-constexpr double kTurnRate = 0.5;      // of a cycle a second, of gaits that change
-constexpr double kLift = 0.3;          // of the body's height, of a swing
 
 double body_length(const Species& species) noexcept {
     return species.body.head.x + species.body.thorax.x + species.body.abdomen.x;
 }
 
-/// Where a foot stands in the middle of its stance, body frame: where it is at rest, but near enough to reach
-/// as far ahead as behind.
-Vec3 stance_home(const Limb& limb) noexcept {
-    constexpr double kStretch = 0.72;  // of the leg's length
-    const Vec3 out = limb.home - limb.base;
-    const double level = std::sqrt(out.x * out.x + out.z * out.z);
-    const double least = kStretch * kStretch * limb.leg.length * limb.leg.length - out.y * out.y;
-    const double wanted = least > 0 ? std::sqrt(least) : level;
-    const double share = level > wanted ? wanted / level : 1;
-    return limb.base + Vec3{share * out.x, out.y, share * out.z};
-}
-
-GaitState gait_state(const Conduct& conduct, CreatureState& state) noexcept {
-    const std::size_t legs = conduct.species->limbs.size();
-    return {&state.phase, std::span(state.start).first(legs), std::span(state.progress).first(legs)};
-}
-
-/// How much a standing leg is strained: 1 where it steps out of turn.
-double strain_of(const Limb& limb, const BodyPose& body, const Pace& pace, const Foot& foot) noexcept {
-    const Vec3 place = from_world(body, foot.place);
-    const double stretch = distance(place, limb.base) / (kStrained * limb.leg.length);
-    const double off = norm(across(place - stance_home(limb), {0, 1, 0}));
-    return std::max(stretch, off / (kOffHome * pace.duty * pace.stride / 2 + 0.15 * limb.leg.length));
-}
-
 /// The part of its speed that a creature keeps which waits for its legs.
-double patience(const Conduct& conduct, const CreatureState& state) noexcept {
-    constexpr double kSlowest = 0.2;
-    const BodyPose body = pose_of(conduct, state);
-    const Pace pace = pace_at(conduct.pace, norm(state.ground.velocity));
-    double most = 0;
-    for (std::size_t leg = 0; leg < conduct.species->limbs.size(); ++leg)
-        if (state.progress[leg] < 0 && state.feet[leg].holds)
-            most = std::max(most, strain_of(conduct.species->limbs[leg], body, pace, state.feet[leg]));
-    return std::clamp(1 - 3 * (most - 1.2), kSlowest, 1.0);
+double patience(const CreatureState& state) noexcept {
+    constexpr double kSlowest = 0.2, kEasy = 1.2;
+    return std::clamp(1 - 3 * (state.strain - kEasy), kSlowest, 1.0);
+}
+
+/// The part of its speed that a creature keeps whose body has not turned yet as the ground wants it to.
+double alignment(const CreatureState& state, const Vec3& wanted_up) noexcept {
+    constexpr double kSlowest = 0.15, kNear = 15, kFar = 60;  // degrees
+    const double off = degrees_between(state.turn.up, wanted_up);
+    return std::clamp(1 - (off - kNear) / (kFar - kNear), kSlowest, 1.0);
 }
 
 Vec3 wish(const Conduct& conduct, const Company& company, const Feel& feel, double reach, double dt,
           CreatureState& state) noexcept {
-    const double careful =
-        caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest) * patience(conduct, state);
+    const double careful = std::min({caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest),
+                                     alignment(state, feel.up), patience(state)});
     const Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
                       conduct.pace.top_speed * careful};
     const double speed = norm(state.ground.velocity);
@@ -68,245 +41,179 @@ Vec3 wish(const Conduct& conduct, const Company& company, const Feel& feel, doub
     return blend(agent, wishes);
 }
 
+/// A wish that leads to where the surface ends is turned aside, to the side that has more room: the nearer the
+/// end, the slower.
+Vec3 clear_of_borders(const Ground& ground, const Feel& feel, double reach, const Vec3& wanted) noexcept {
+    constexpr double kSlowest = 0.05, kApart = 0.3;  // of the speed; of the reach, which is kept from it
+    if (feel.border_distance >= reach) return wanted;
+    const Vec3 left = cross(ground.footing.up, ground.facing);
+    return norm(wanted) * std::max(kSlowest, feel.border_distance / reach - kApart) *
+           (feel.room_left >= feel.room_right ? left : -1 * left);
+}
+
+/// A wish is bent away from where feet find nothing to stand on, or no more than a rim.
+Vec3 away_from_gaps(const Conduct& conduct, const CreatureState& state, const Vec3& wanted) noexcept {
+    const Footing& ground = state.ground.footing;
+    Vec3 away;
+    for (std::size_t leg = 0; leg < conduct.species->limbs.size(); ++leg) {
+        if (state.feet[leg].holds && !state.feet[leg].rim) continue;
+        const Vec3 off = across(ground.position - state.feet[leg].place, ground.up);
+        const double length = norm(off);
+        if (length > 0) away += off / length;
+    }
+    const Vec3 bent = wanted + norm(wanted) * away;
+    const double length = norm(bent);
+    return away == Vec3{} || length == 0 ? wanted : (norm(wanted) / length) * bent;
+}
+
+/// A creature goes where its head looks, or little aside of it: what it wishes to go farther about waits for
+/// the head to turn, the slower the farther.
+Vec3 ahead_of_head(const Ground& ground, const Vec3& wanted) noexcept {
+    constexpr double kAside = 25, kSlowest = 0.3;  // degrees; of the speed
+    const double speed = norm(wanted);
+    if (speed == 0) return wanted;
+    const Vec3 way = turned_about(ground.footing.up, ground.facing, wanted / speed, kAside);
+    return std::max(kSlowest, dot(way, wanted) / speed) * speed * way;
+}
+
 void steer(const Conduct& conduct, const Company& company, const Feel& feel, double reach, double dt,
            CreatureState& state) noexcept {
     if (conduct.rests) advance_pauses(conduct.pauses, company.random, dt, state.pause);
-    const Vec3 wanted = state.pause.stands ? Vec3{} : wish(conduct, company, feel, reach, dt, state);
+    Vec3 wanted;
+    if (!state.pause.stands) {
+        wanted = away_from_gaps(conduct, state, wish(conduct, company, feel, reach, dt, state));
+        wanted = ahead_of_head(state.ground, clear_of_borders(state.ground, feel, reach, wanted));
+    }
     const Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
                       conduct.pace.top_speed};
     state.ground.velocity = accelerate(agent, control(agent, wanted, conduct.response, conduct.strength), dt);
 }
 
-void begin_swing(const Surface& surface, const Conduct& conduct, const Limb& limb, const BodyPose& body,
-                 const Pace& pace, const CreatureState& state, Foot& foot,
-                 CreatureMeasures& measures) noexcept {
-    const Footing& ground = state.ground.footing;
-    const double swing_time =
-        pace.frequency > 0 ? std::min((1 - pace.duty) / pace.frequency, kLandingTime * 2) : 0;
-    const double speed = norm(state.ground.velocity);
-    const Vec3 way = speed > 0 ? state.ground.velocity / speed : Vec3{};
-    const Vec3 lead = (speed * swing_time + pace.duty * pace.stride / 2 * std::min(1.0, speed / 1e-3)) * way;
-    const Vec3 wanted = to_world(body, stance_home(limb)) + lead;
-    BodyPose landing = body;  // where it will be when the foot comes down
-    landing.position += speed * swing_time * way;
-    const auto serves = [&](const Foothold& hold) {
-        if (!holds(surface.grip(hold.at.face), hold.up, conduct.gravity)) return false;
-        if (distance(hold.position, to_world(landing, limb.base)) > kMostStretch * limb.leg.length)
-            return false;
-        LegPose pose = rest_pose(limb.leg);
-        const LegTarget target{to_limb(limb, from_world(landing, hold.position))};
-        return conduct.solver->solve(limb.leg, target, {}, pose).answer == LegAnswer::reached;
-    };
-    const Foothold hold = find_foothold(surface, conduct.footholds, ground, body.up, wanted, limb.leg.length,
-                                        0.4 * limb.leg.length, serves);
-    ++measures.steps;
-    if (!hold.found) ++measures.empty_steps;
-    foot.holds = hold.found;
-    foot.swing.start = foot.place;
-    foot.swing.start_up = body.up;
-    foot.swing.end = hold.found ? hold.position : wanted + kLift * conduct.species->height * body.up;
-    foot.swing.end_up = hold.found ? hold.up : body.up;
-    foot.swing.height = kLift * conduct.species->height + 0.1 * distance(foot.swing.start, foot.swing.end);
+/// Up and forward in dt s, both together by no more than the creature's rate: they turn about axes at right
+/// angles.
+void turn_body(const Conduct& conduct, const Vec3& wanted_up, double dt, CreatureState& state) noexcept {
+    constexpr double kUpsShare = 0.8;  // of the rate; it leaves forward three fifths
+    const double most_degrees = conduct.turn_rate * dt;
+    const Vec3 before = state.turn.up;
+    turn_up(wanted_up, state.forward, conduct.turn_curve, conduct.turn_steps, kUpsShare * most_degrees,
+            state.turn);
+    const Vec3& up = state.turn.up;
+    state.forward = carried_over(state.forward, before, up);
+    const Vec3 ahead = across(state.ground.facing, up);
+    const double length = norm(ahead), turned = degrees_between(before, up);
+    constexpr double kLeast = 1e-6;  // where the head looks along the body's up, it is on its way over an edge
+    state.spin = 0;
+    if (length < kLeast) return;
+    const Vec3 carried = state.forward;
+    const double left = std::sqrt(most_degrees * most_degrees - turned * turned);
+    state.forward = turned_about(up, carried, ahead / length, left);
+    state.spin = dot(cross(carried, state.forward), up) / dt;  // the sine of so little is the angle
 }
 
-void step_feet(const Surface& surface, const Conduct& conduct, double dt, CreatureState& state,
-               CreatureMeasures& measures) noexcept {
-    const std::size_t legs = conduct.species->limbs.size();
+/// Moves the body off what it would come too near to, and back to its height in a moment where there is
+/// nothing.
+double hold_body(const Surface& surface, const Conduct& conduct, double dt, CreatureState& state) noexcept {
+    constexpr double kMost = 0.8, kMoment = 0.15;  // of the legs' length; s
+    state.shift = std::max(0.0, 1 - dt / kMoment) * state.shift + state.sway;
+    BodyPose unshifted = pose_of(conduct, state);
+    unshifted.position -= state.shift;
+    return keep_off(surface, conduct.species->shape, state.ground.footing, unshifted,
+                    kMost * mean_leg_length(*conduct.species), state.shift);
+}
+
+/// m, in dt s: who is out of balance, or nearly so, leans towards where it is in balance.
+Vec3 sway_of(const Conduct& conduct, const Support& support, const CreatureState& state, double dt) noexcept {
+    constexpr double kWanted = 0.03, kSpeed = 0.7;  // margin, of the legs' length; of it a second
+    const double leg = mean_leg_length(*conduct.species);
+    const double missing = std::min(kWanted * leg - support.margin, kSpeed * leg * dt);
+    if (missing <= 0) return {};
     const BodyPose body = pose_of(conduct, state);
-    const Pace pace = pace_at(conduct.pace, norm(state.ground.velocity));
-    std::array<std::uint8_t, kMaxLegs> strained{}, lifted{}, landed{};
-    for (std::size_t leg = 0; leg < legs; ++leg)
-        strained[leg] =
-            !state.feet[leg].holds || strain_of(conduct.species->limbs[leg], body, pace, state.feet[leg]) > 1
-                ? 1
-                : 0;
-    const GaitState gait = gait_state(conduct, state);
-    const GaitTick tick{dt,
-                        kLandingTime,
-                        kTurnRate,
-                        std::span(strained).first(legs),
-                        std::span(lifted).first(legs),
-                        std::span(landed).first(legs)};
-    advance_gait(*conduct.gait, pace, tick, gait);
-    for (std::size_t leg = 0; leg < legs; ++leg) {
-        Foot& foot = state.feet[leg];
-        if (lifted[leg] != 0)
-            begin_swing(surface, conduct, conduct.species->limbs[leg], body, pace, state, foot, measures);
-        if (landed[leg] != 0) foot.place = foot.swing.end;
-        if (motion_of(gait, leg) == LegMotion::swings)
-            foot.place = foot_at(*conduct.path, foot.swing, gait.progress[leg]);
-        else
-            ++measures.feet_down;
-    }
+    return missing * (support.inward.forward * body.forward + support.inward.right * body.right);
 }
 
-void reach_feet(const Surface& surface, const Conduct& conduct, CreatureState& state,
-                CreatureMeasures& measures) noexcept {
-    const BodyPose body = pose_of(conduct, state);
-    const Pace pace = pace_at(conduct.pace, norm(state.ground.velocity));
-    for (std::size_t leg = 0; leg < conduct.species->limbs.size(); ++leg) {
-        const Limb& limb = conduct.species->limbs[leg];
-        Foot& foot = state.feet[leg];
-        const LegTarget target{to_limb(limb, from_world(body, foot.place))};
-        const LegResult result = conduct.solver->solve(limb.leg, target, {}, state.poses[leg]);
-        measures.worst_joint = std::max(measures.worst_joint, violation(limb.leg, state.poses[leg]));
-        if (state.progress[leg] >= 0) continue;
-        if (result.answer == LegAnswer::reached) {
-            measures.worst_reach = std::max(measures.worst_reach, result.error / limb.leg.length);
-            continue;
-        }
-        // Rather than be torn off, the foot lifts from where the leg still is.
-        foot.place = to_world(body, to_body(limb, foot_position(limb.leg, state.poses[leg])));
-        begin_swing(surface, conduct, limb, body, pace, state, foot, measures);
-        state.progress[leg] = 0;
-        ++measures.forced_steps;
-    }
+/// Degrees of the one turn that leads from pose to pose: the chords of its axes, squared, sum to 8 sin^2(a/2).
+double degrees_turned(const BodyPose& from, const BodyPose& to) noexcept {
+    const auto square = [](const Vec3& v) { return dot(v, v); };
+    const double sine = std::sqrt(
+        (square(to.forward - from.forward) + square(to.up - from.up) + square(to.right - from.right)) / 8);
+    constexpr double kDegree = 57.29577951308232;
+    return 2 * kDegree * angle_of(std::sqrt(std::max(0.0, 1 - sine * sine)), sine);
 }
 
-/// The body's middle, seen from the surface nearest to it.
-struct Standoff {
-    double height =
-        0;      ///< m; below 0 where the surface lies between it and the ground that the creature stands on
-    Vec3 away;  ///< m, from the surface to it
+/// What a frame is compared with that comes after it.
+struct Before {
+    BodyPose pose;
+    std::array<double, kMaxLegs> progress;
+    std::array<Vec3, kMaxLegs> feet;
+
+    Before(const Conduct& conduct, const CreatureState& state) noexcept
+        : pose(pose_of(conduct, state)), progress(state.progress) {
+        for (std::size_t leg = 0; leg < conduct.species->limbs.size(); ++leg) feet[leg] = state.feet[leg].place;
+    }
+    /// m, the farthest that a foot slipped which stood then and stands now.
+    double slip(const CreatureState& now, std::size_t legs) const noexcept {
+        double worst = 0;
+        for (std::size_t leg = 0; leg < legs; ++leg)
+            if (progress[leg] < 0 && now.progress[leg] < 0)
+                worst = std::max(worst, distance(feet[leg], now.feet[leg].place));
+        return worst;
+    }
 };
-
-Standoff standoff_of(const Surface& surface, const Conduct& conduct, const CreatureState& state) noexcept {
-    constexpr double kOff = 1e-6;  // of the height, so that a ray does not begin in the ground
-    const double height = conduct.species->height;
-    const Vec3 middle = pose_of(conduct, state).position;
-    const SurfaceHit nearest = surface.closest_point(middle, 4 * height);
-    if (nearest.answer != Answer::found) return {height, {}};
-    const Footing& ground = state.ground.footing;
-    const Vec3 start = ground.position + kOff * height * ground.up;
-    const bool beyond = surface.first_hit({start, middle - start, 1}).answer == Answer::found;
-    return {beyond ? -nearest.distance : nearest.distance, middle - surface.position(nearest.at)};
-}
-
-/// Moves the body off walls and edges that its up has not turned for yet.
-void keep_off(const Surface& surface, const Conduct& conduct, CreatureState& state) noexcept {
-    constexpr double kLeastHeight = 0.5;  // of its height
-    state.shift = {};
-    const Standoff standoff = standoff_of(surface, conduct, state);
-    const double length = norm(standoff.away),
-                 missing = kLeastHeight * conduct.species->height - standoff.height;
-    if (missing <= 0 || length == 0) return;
-    state.shift = (missing / (standoff.height < 0 ? -length : length)) * standoff.away;
-}
 
 }  // namespace
 
 BodyPose pose_of(const Conduct& conduct, const CreatureState& state) noexcept {
-    BodyPose pose;
-    pose.up = state.turn.up;
-    const Vec3 ahead = across(state.ground.facing, pose.up);
-    const double length = norm(ahead);
-    // Where the head looks along the body's up, it is on its way over an edge.
-    pose.forward = length > 1e-6 ? ahead / length : -1 * state.ground.footing.up;
-    pose.forward = across(pose.forward, pose.up) / norm(across(pose.forward, pose.up));
-    pose.right = cross(pose.forward, pose.up);
-    pose.position = state.ground.footing.position + conduct.species->height * pose.up + state.shift;
-    return pose;
-}
-
-Vec3 to_world(const BodyPose& pose, const Vec3& point) noexcept {
-    return pose.position + point.x * pose.forward + point.y * pose.up + point.z * pose.right;
-}
-
-Vec3 from_world(const BodyPose& pose, const Vec3& point) noexcept {
-    const Vec3 d = point - pose.position;
-    return {dot(d, pose.forward), dot(d, pose.up), dot(d, pose.right)};
+    const Vec3& up = state.turn.up;
+    return {state.ground.footing.position + conduct.species->carriage * up + state.shift, state.forward, up,
+            cross(state.forward, up)};
 }
 
 void place_creature(const Surface& surface, const Conduct& conduct, const Footing& footing,
                     CreatureState& state) noexcept {
     state.ground.footing = footing;
-    state.ground.facing = footing.forward;
+    state.ground.facing = state.forward = footing.forward;
     state.turn.up = footing.up;
-    begin_gait(*conduct.gait, gait_state(conduct, state));
-    const BodyPose body = pose_of(conduct, state);
-    CreatureMeasures unused;
-    for (std::size_t leg = 0; leg < conduct.species->limbs.size(); ++leg) {
-        const Limb& limb = conduct.species->limbs[leg];
-        state.poses[leg] = rest_pose(limb.leg);
-        state.feet[leg].place = to_world(body, stance_home(limb));
-        begin_swing(surface, conduct, limb, body, {}, state, state.feet[leg], unused);
-        state.feet[leg].place = state.feet[leg].swing.end;
-    }
-    reach_feet(surface, conduct, state, unused);
+    hold_body(surface, conduct, 0, state);
+    place_feet(surface, conduct, state);
 }
 
 void advance_creature(const Surface& surface, const Conduct& conduct, const Company& company, double dt,
                       CreatureState& state, CreatureMeasures& measures) noexcept {
     const Species& species = *conduct.species;
+    const Before before(conduct, state);
     const double reach = std::max(body_length(species), 0.6 * mean_leg_length(species));
-    const Feel feel = feel_ahead(surface, state.ground, reach);
+    const Feel feel = feel_ahead(surface, state.ground, reach, 1.5 * species.carriage);
     steer(conduct, company, feel, reach, dt, state);
-    if (move(surface, dt, state.ground) == MoveEnd::lost) ++measures.lost_frames;
-    const double most = conduct.turn_rate * dt;
-    face_ahead(most, state.ground);
-    const Vec3 before = state.turn.up;
-    turn_up(feel.up, state.ground.facing, conduct.turn_curve, conduct.turn_steps, most, state.turn);
-    keep_off(surface, conduct, state);
-    const auto feet = state.feet;
-    const auto progress = state.progress;
+    if (move(surface, dt, 1.3 * species.carriage, state.ground) == MoveEnd::lost) ++measures.lost_frames;
+    face_ahead(conduct.turn_rate * dt, state.ground);
+    turn_body(conduct, feel.up, dt, state);
+    const double below = hold_body(surface, conduct, dt, state);
     step_feet(surface, conduct, dt, state, measures);
-    reach_feet(surface, conduct, state, measures);
     ++measures.frames;
-    for (std::size_t leg = 0; leg < species.limbs.size(); ++leg)
-        if (progress[leg] < 0 && state.progress[leg] < 0)
-            measures.worst_slip =
-                std::max(measures.worst_slip, distance(feet[leg].place, state.feet[leg].place));
-    measures.least_margin = std::min(measures.least_margin, stability_margin(conduct, state));
+    const Support support = support_of(conduct, state);
+    state.sway = sway_of(conduct, support, state, dt);
+    const double margin = std::max(support.margin, -species.height);
+    if (margin < 0) ++measures.unstable_frames;
+    if (below > 0) ++measures.penetrating_frames;
+    measures.margins += margin;
+    measures.least_margin = std::min(measures.least_margin, margin);
     measures.distance += norm(state.ground.velocity) * dt;
-    measures.worst_turn = std::max(measures.worst_turn, degrees_between(before, state.turn.up));
-    measures.worst_penetration = std::max(
-        measures.worst_penetration, species.body.thorax.y / 2 - standoff_of(surface, conduct, state).height);
+    measures.worst_penetration = std::max(measures.worst_penetration, below);
+    measures.worst_slip = std::max(measures.worst_slip, before.slip(state, species.limbs.size()));
+    measures.worst_turn = std::max(measures.worst_turn, degrees_turned(before.pose, pose_of(conduct, state)));
 }
 
-double stability_margin(const Conduct& conduct, const CreatureState& state) noexcept {
+Support support_of(const Conduct& conduct, const CreatureState& state) noexcept {
+    const Species& species = *conduct.species;
     const BodyPose body = pose_of(conduct, state);
-    std::array<Vec3, kMaxLegs> feet;
+    std::array<SupportPoint, kMaxLegs> feet;
     std::size_t count = 0;
-    for (std::size_t leg = 0; leg < conduct.species->limbs.size(); ++leg) {
-        if (state.progress[leg] >= 0 || !state.feet[leg].holds) continue;
-        const Vec3 place = from_world(body, state.feet[leg].place);
-        feet[count++] = {place.x, 0, place.z};
+    for (std::size_t leg = 0; leg < species.limbs.size(); ++leg) {
+        if (state.progress[leg] >= 0) continue;
+        const Vec3 place = from_world(body, state.feet[leg].place) - species.shape.center_of_mass;
+        feet[count++] = {place.x, place.z};
     }
-    if (count < 3) return -1 * conduct.species->height;
-    // Over every line through two feet that has all others on one side: the hull's edges.
-    double least = HUGE_VAL;
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t j = 0; j < count; ++j) {
-            const Vec3 edge = feet[j] - feet[i];
-            const double length = norm(edge);
-            if (length == 0) continue;
-            const Vec3 inward{-edge.z / length, 0, edge.x / length};
-            bool is_edge = true;
-            for (std::size_t k = 0; k < count; ++k)
-                is_edge = is_edge && dot(feet[k] - feet[i], inward) >= -1e-12;
-            if (is_edge) least = std::min(least, dot(Vec3{} - feet[i], inward));
-        }
-    return std::isinf(least) ? -1 * conduct.species->height : least;
-}
-
-CreatureMeasures sum_of(std::span<const CreatureMeasures> all) noexcept {
-    CreatureMeasures sum;
-    for (const CreatureMeasures& each : all) {
-        sum.frames += each.frames;
-        sum.lost_frames += each.lost_frames;
-        sum.feet_down += each.feet_down;
-        sum.steps += each.steps;
-        sum.empty_steps += each.empty_steps;
-        sum.forced_steps += each.forced_steps;
-        sum.distance += each.distance;
-        sum.worst_reach = std::max(sum.worst_reach, each.worst_reach);
-        sum.worst_joint = std::max(sum.worst_joint, each.worst_joint);
-        sum.worst_penetration = std::max(sum.worst_penetration, each.worst_penetration);
-        sum.worst_turn = std::max(sum.worst_turn, each.worst_turn);
-        sum.worst_slip = std::max(sum.worst_slip, each.worst_slip);
-        sum.least_margin = std::min(sum.least_margin, each.least_margin);
-    }
-    return sum;
+    return support_of(std::span(feet).first(count));
 }
 
 }  // namespace orbweaver::spider

@@ -20,9 +20,9 @@ void each_number(CreatureState& state, std::size_t legs, Each&& each) {
     each(footing.at.face);
     for (double& weight : footing.at.weights) each(weight);
     each(footing.side);
-    for (Vec3* v :
-         {&footing.forward, &footing.position, &footing.up, &state.ground.velocity, &state.ground.facing,
-          &state.shift, &state.turn.up, &state.turn.from, &state.turn.to, &state.wander.point})
+    for (Vec3* v : {&footing.forward, &footing.position, &footing.up, &state.ground.velocity,
+                    &state.ground.facing, &state.forward, &state.shift, &state.sway, &state.turn.up,
+                    &state.turn.from, &state.turn.to, &state.wander.point})
         vector(*v);
     each(state.turn.step);
     each(state.turn.steps);
@@ -33,15 +33,19 @@ void each_number(CreatureState& state, std::size_t legs, Each&& each) {
     each(state.pause.stood);
     each(state.pause.draws);
     each(state.phase);
+    each(state.spin);
+    each(state.strain);
     for (std::size_t leg = 0; leg < legs; ++leg) {
         Foot& foot = state.feet[leg];
         each(state.start[leg]);
         each(state.progress[leg]);
-        for (Vec3* v :
-             {&foot.place, &foot.swing.start, &foot.swing.end, &foot.swing.start_up, &foot.swing.end_up})
+        for (Vec3* v : {&foot.place, &foot.home, &foot.swing.start, &foot.swing.end, &foot.swing.start_up,
+                        &foot.swing.end_up})
             vector(*v);
         each(foot.swing.height);
         each(foot.holds);
+        each(foot.rim);
+        each(foot.searches);
         for (double& angle : state.poses[leg]) each(angle);
     }
 }

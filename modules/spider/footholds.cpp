@@ -8,7 +8,7 @@ namespace {
 Foothold from_hit(const Surface& surface, const SurfaceHit& hit, const Vec3& up) noexcept {
     if (hit.answer != Answer::found) return {};
     const Vec3 normal = surface.normal(hit.at.face);
-    return {true, hit.at, surface.position(hit.at), dot(normal, up) < 0 ? -1 * normal : normal};
+    return {true, hit.at, surface.position(hit.at), dot(normal, up) < 0 ? -1 * normal : normal, false};
 }
 
 Foothold by_rays(const Surface& surface, const Vec3& up, const Vec3& wanted, double reach) noexcept {
@@ -22,12 +22,13 @@ Foothold by_rays(const Surface& surface, const Vec3& up, const Vec3& wanted, dou
 Foothold along_surface(const Surface& surface, const Footing& ground, const Vec3& wanted) noexcept {
     const Vec3 way = across(wanted - ground.position, ground.up);
     const double length = norm(way);
-    if (length == 0) return {true, ground.at, ground.position, ground.up};
-    const SurfaceStep placed = surface.place(ground.at, ground.up, way / length);
-    if (placed.answer != Answer::found) return {};
-    const SurfaceStep step = surface.stride(placed.end, length, {}).step;
-    if (step.answer != Answer::found || step.stop != StepStop::none) return {};
-    return {true, step.end.at, step.end.position, step.end.up};
+    if (length == 0) return {true, ground.at, ground.position, ground.up, false};
+    Footing from = ground;
+    from.forward = way / length;
+    const SurfaceStep step = surface.stride(from, length, {}).step;
+    // Where the surface ends on the way, its rim is a place too.
+    if (step.answer != Answer::found || step.stop == StepStop::limit) return {};
+    return {true, step.end.at, step.end.position, step.end.up, step.stop == StepStop::border};
 }
 
 }  // namespace

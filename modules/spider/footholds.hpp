@@ -10,8 +10,9 @@ namespace orbweaver::spider {
 struct Foothold {
     bool found = false;
     SurfacePoint at;
-    Vec3 position;  ///< m, on the surface
-    Vec3 up;        ///< unit, on the side that the creature stands on
+    Vec3 position;     ///< m, on the surface
+    Vec3 up;           ///< unit, on the side that the creature stands on
+    bool rim = false;  ///< the surface ends there, before the place that was wanted
 };
 
 /// How a foothold is looked for.

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kStands = -1;
 constexpr double kDue = -2;  // stands, and has missed its start
+constexpr std::size_t kMostFeet = 16;
 
 /// Into [0, 1).
 double wrapped(double phase) noexcept {
@@ -28,13 +29,33 @@ bool neighbors_stand(const GaitState& state, std::size_t leg) noexcept {
     return ahead && stands(leg + 2) && stands(leg ^ 1U);
 }
 
+/// m, `later` s from now, of the feet that stand but one.
+double margin_without(const GaitState& state, const GaitTick& tick, std::size_t leg, double later) noexcept {
+    std::array<SupportPoint, kMostFeet> feet;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < tick.feet.size(); ++i)
+        if (i != leg && state.progress[i] < 0)
+            feet[count++] = {tick.feet[i].forward - later * tick.velocity.forward,
+                             tick.feet[i].right - later * tick.velocity.right};
+    return support_of(std::span(feet).first(count)).margin;
+}
+
+/// Whether the creature stays in balance without that leg; where it is out of it, whether that gets no worse.
+bool keeps_balance(const GaitState& state, const GaitTick& tick, std::size_t leg, double swing_time) noexcept {
+    if (tick.feet.empty()) return true;
+    const auto bears = [&](double later) {
+        const double margin = margin_without(state, tick, leg, later);
+        return margin >= 0 || margin >= margin_without(state, tick, tick.feet.size(), later);
+    };
+    return bears(0) && bears(swing_time);
+}
+
 }  // namespace
 
 std::span<const Gait> gaits() noexcept {
     static constexpr std::array<Gait, 3> table{{
         // The last of a set lifts 0.12 of a cycle after the first: at a duty of 0.62 and more, a set is down
-        // again
-        // before the other lifts.
+        // again before the other lifts.
         {"tetrapod", 0.54, 0.5},
         {"ripple", 0.25, 0.5},
         {"wave", 0.125, 0.5},
@@ -50,8 +71,8 @@ const Gait* find_gait(std::string_view name) noexcept {
 }
 
 double start_of(const Gait& gait, std::size_t leg, std::size_t legs) noexcept {
-    const auto behind = static_cast<double>((legs - 1) / 2 - leg / 2);  // pairs
-    return wrapped(gait.lag * behind + (leg % 2 == 1 ? gait.opposite : 0));
+    const std::size_t pairs_behind = (legs - 1) / 2 - leg / 2;
+    return wrapped(gait.lag * static_cast<double>(pairs_behind) + (leg % 2 == 1 ? gait.opposite : 0));
 }
 
 Pace pace_at(const PaceRange& range, double speed) noexcept {
@@ -98,7 +119,7 @@ void advance_gait(const Gait& gait, const Pace& pace, const GaitTick& tick, cons
         const bool due = comes || state.progress[leg] == kDue;
         const bool strained = tick.strained[leg] != 0 && neighbors_stand(state, leg);
         if (!due && !strained) continue;
-        if (2 * (standing - 1) < legs) {
+        if (2 * (standing - 1) < legs || (!strained && !keeps_balance(state, tick, leg, 1 / rate))) {
             if (due) state.progress[leg] = kDue;
             continue;
         }

@@ -5,6 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "support.hpp"
+
 namespace orbweaver::spider {
 
 /// When the legs of a cycle step: legs are numbered in pairs from front to back, left before right (L1 R1 L2 R2
@@ -63,18 +65,20 @@ void begin_gait(const Gait& gait, const GaitState& state) noexcept;
 
 /// One frame of `dt` s. A standing leg lifts when its start comes; or at once where it is `strained` (an
 /// element per leg, not 0 where it is), as long as its neighbors on its side and across stand. None lifts
-/// while fewer than half of all would stand; one whose start comes then lifts as soon as it may. A swing takes
-/// (1
-/// - duty) of a cycle, and no longer than `landing_time` s, so that who stops puts its feet down. Starts turn
-/// to those of the gait, the shorter way round, by at most `turn_rate` of a cycle a second, so that gaits blend
-/// without a jump. `lifted` (an element per leg) is set to 1 where a leg lifted in this frame, `landed` where
-/// it came down; else to 0.
+/// while fewer than half of all would stand, nor, unless it is strained, where the creature would then be out
+/// of balance: its center of mass, now or where it will be when the foot lands, outside the hull of the `feet`
+/// that stand; one whose start comes then lifts as soon as it may. A swing takes (1 - duty) of a cycle, and no
+/// longer than `landing_time` s, so that who stops puts its feet down. Starts turn to those of the gait, the
+/// shorter way round, by at most `turn_rate` of a cycle a second, so that gaits blend without a jump. `lifted`
+/// (an element per leg) is set to 1 where a leg lifted in this frame, `landed` where it came down; else to 0.
 struct GaitTick {
     double dt = 0;
     double landing_time = 0.2;
     double turn_rate = 0.5;
     std::span<const std::uint8_t> strained;
     std::span<std::uint8_t> lifted, landed;
+    std::span<const SupportPoint> feet;  ///< an element per leg; none: balance is not looked at
+    SupportPoint velocity;               ///< m/s, of the center of mass
 };
 void advance_gait(const Gait& gait, const Pace& pace, const GaitTick& tick, const GaitState& state) noexcept;
 

@@ -23,23 +23,34 @@ Vec3 unit_or(const Vec3& v, const Vec3& otherwise) noexcept {
 /// Where a stride in that direction ends; the ground itself where there is no answer.
 SurfaceStride stride_from(const Surface& surface, const Ground& ground, const Vec3& way, double reach,
                           std::span<StrideCorner> corners) noexcept {
-    const SurfaceStep placed = surface.place(ground.footing.at, ground.footing.up, way);
-    SurfaceStride stride;
-    if (placed.answer == Answer::found) stride = surface.stride(placed.end, reach, corners);
+    Footing from = ground.footing;
+    from.forward = way;
+    SurfaceStride stride = surface.stride(from, reach, corners);
     if (stride.step.answer != Answer::found) stride.step.end = ground.footing;
     return stride;
 }
 
+/// Whether a body finds room there.
+bool has_headroom(const Surface& surface, const Footing& there, double headroom) noexcept {
+    constexpr double kOff = 1e-3;  // of it, so that the ray does not begin in the ground
+    const Vec3 start = there.position + kOff * headroom * there.up;
+    return surface.first_hit({start, there.up, headroom}).answer != Answer::found;
+}
+
 }  // namespace
 
-MoveEnd move(const Surface& surface, double dt, Ground& ground) noexcept {
+MoveEnd move(const Surface& surface, double dt, double headroom, Ground& ground) noexcept {
     const double speed = norm(ground.velocity);
     if (speed == 0) return MoveEnd::moved;
-    const SurfaceStep placed = surface.place(ground.footing.at, ground.footing.up, ground.velocity / speed);
-    if (placed.answer != Answer::found) return MoveEnd::lost;
-    const SurfaceStep step = surface.step(placed.end, speed * dt);
+    Footing from = ground.footing;
+    from.forward = ground.velocity / speed;
+    const SurfaceStep step = surface.stride(from, speed * dt, {}).step;
     if (step.answer != Answer::found) return MoveEnd::lost;
-    ground.facing = unit_or(carried(ground.facing, placed.end, step.end), step.end.forward);
+    if (!has_headroom(surface, step.end, headroom) && has_headroom(surface, from, headroom)) {
+        ground.velocity = -1 * ground.velocity;
+        return MoveEnd::turned;
+    }
+    ground.facing = unit_or(carried(ground.facing, from, step.end), step.end.forward);
     ground.velocity = speed * step.end.forward;
     ground.footing = step.end;
     if (step.stop == StepStop::none) return MoveEnd::moved;
@@ -53,25 +64,24 @@ void face_ahead(double most_degrees, Ground& ground) noexcept {
     ground.facing = facing;
     if (speed == 0) return;
     const Vec3 wanted = unit_or(across(ground.velocity, ground.footing.up), facing);
-    const double off = degrees_between(facing, wanted);
-    if (off <= most_degrees) {
-        ground.facing = wanted;
-        return;
-    }
-    // Right about there is no nearer side: by the left.
-    const Vec3 by = off > 179 ? cross(ground.footing.up, facing) : wanted;
-    const double share = most_degrees / degrees_between(facing, by);
-    ground.facing = unit_or(across(turned_between(facing, by, share), ground.footing.up), facing);
+    ground.facing = turned_about(ground.footing.up, facing, wanted, most_degrees);
 }
 
-Feel feel_ahead(const Surface& surface, const Ground& ground, double reach) noexcept {
+Feel feel_ahead(const Surface& surface, const Ground& ground, double reach, double headroom) noexcept {
     std::array<StrideCorner, 4> corners;
     const SurfaceStride ahead = stride_from(surface, ground, ground.facing, reach, corners);
     const SurfaceStride behind = stride_from(surface, ground, -1 * ground.facing, reach, {});
     const Vec3& here = ground.footing.up;
     Feel feel;
     feel.up = unit_or(ahead.step.end.up + here + behind.step.end.up, here);
-    feel.corner_distance = reach * 2;
+    feel.corner_distance = feel.border_distance = reach * 2;
+    const bool ends = ahead.step.stop == StepStop::border;
+    if (ends || !has_headroom(surface, ahead.step.end, headroom)) {
+        const Vec3 left = cross(here, ground.facing);
+        feel.border_distance = ends ? ahead.step.walked : reach / 2;
+        feel.room_left = stride_from(surface, ground, ground.facing + left, reach, {}).step.walked;
+        feel.room_right = stride_from(surface, ground, ground.facing - left, reach, {}).step.walked;
+    }
     if (ahead.corners == 0) return feel;
     const StrideCorner& first = corners[0];
     feel.corner_distance = first.distance;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -18,23 +19,32 @@ public:
     /// Puts the places of others within the reach of creature `i` into `near`, nearest cells' in order of their
     /// numbers, as many as fit; returns how many those are.
     std::size_t around(std::size_t i, std::span<Vec3> near) const noexcept;
-    std::size_t memory_bytes() const noexcept { return cells_.capacity() * sizeof(Entry); }
+    std::size_t memory_bytes() const noexcept {
+        return cells_.capacity() * sizeof(Entry) + columns_.capacity() * sizeof(Columns);
+    }
 
 private:
-    struct Cell {
-        std::int64_t x = 0, y = 0, z = 0;
-        friend auto operator<=>(const Cell&, const Cell&) = default;
-    };
+    /// A cell's three numbers in one, x before y before z: of neighbors along z, one is one more.
+    using Cell = std::int64_t;
     struct Entry {
-        Cell cell;
+        Cell cell = 0;
         std::uint32_t index = 0;
-        friend auto operator<=>(const Entry&, const Entry&) = default;
+        friend bool operator<(const Entry& a, const Entry& b) noexcept {
+            return a.cell != b.cell ? a.cell < b.cell : a.index < b.index;
+        }
+    };
+    /// Where the three cells along z begin among all, in each of the nine columns about a creature's cell.
+    struct Columns {
+        Cell cell = 0;
+        std::array<std::uint32_t, 9> begin{};
     };
     Cell cell_of(const Vec3& position) const noexcept;
+    void find_columns(std::size_t column, Cell offset) noexcept;
 
     std::span<const Vec3> positions_;
     double reach_ = 1;
-    std::vector<Entry> cells_;  ///< in order
+    std::vector<Entry> cells_;      ///< in order
+    std::vector<Columns> columns_;  ///< of each creature
 };
 
 }  // namespace orbweaver::spider

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "body_shape.hpp"
 #include "leg.hpp"
 #include "orbweaver/diagnostic.hpp"
 
@@ -28,6 +29,7 @@ struct Limb {
     Frame axes;        ///< of the leg's frame, in the body frame
     Leg leg;
     Vec3 home;              ///< m, body frame: the foot in the rest pose
+    Vec3 stance;            ///< m, body frame: the foot in the middle of its stance, see stance_of()
     std::size_t group = 0;  ///< legs of one group step together
 };
 
@@ -35,13 +37,21 @@ struct Limb {
 struct Species {
     std::string name;
     Body body;
+    BodyShape shape;          ///< of the body
     std::vector<Limb> limbs;  ///< R1 L1 R2 L2 ...
     std::size_t groups = 0;   ///< one more than the largest group
     double height = 0;        ///< m; the thorax's middle above the feet at rest, on average
+    double carriage = 0;      ///< m; how high it is carried: so, or higher where its belly would drag
+    double stance_radius =
+        0;  ///< m; from it to feet in the middle of their stance, on average, along the ground
 };
 
 /// m, of legs that are there.
 double mean_leg_length(const Species& species) noexcept;
+
+/// Where a foot stands in the middle of its stance: where it is at rest, but near enough to reach as far ahead
+/// as behind.
+Vec3 stance_of(const Limb& limb) noexcept;
 
 /// A point from the body's frame into a limb's, and back.
 Vec3 to_limb(const Limb& limb, const Vec3& point) noexcept;

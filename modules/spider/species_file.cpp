@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -297,8 +298,15 @@ std::optional<Species> read_species(const Node& root, const std::string& name, D
     Species species = SpeciesReader(found).read(root, name);
     faults.insert(faults.end(), found.begin(), found.end());
     if (!found.empty()) return std::nullopt;
-    for (const Limb& limb : species.limbs)
+    species.shape = shape_of(species.body);
+    for (Limb& limb : species.limbs) {
+        limb.stance = stance_of(limb);
         species.height -= limb.home.y / static_cast<double>(species.limbs.size());
+        species.stance_radius +=
+            norm(across(limb.stance, {0, 1, 0})) / static_cast<double>(species.limbs.size());
+    }
+    constexpr double kClear = 1.15;  // of what hangs below the thorax's middle: who is fat stands taller
+    species.carriage = std::max(species.height, kClear * depth_of(species.shape));
     return species;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,12 @@ Conduct conduct_of(const Host& host, const Species& species) {
     return conduct;
 }
 
+std::vector<Leg> legs_of(const Species& species) {
+    std::vector<Leg> legs;
+    for (const Limb& limb : species.limbs) legs.push_back(limb.leg);
+    return legs;
+}
+
 /// One [spider] table: creatures of one kind.
 class SpiderModule final : public Module, public Threads {
 public:
@@ -53,6 +60,7 @@ public:
         surface_ = host.find<Surface>();
         workers_ = host.find<Workers>();
         conduct_ = conduct_of(host, species_);
+        if (host.options().text("ik") == "half_jacobian") conduct_.lanes = &lanes_.emplace(legs_of(species_));
         const auto count = static_cast<std::size_t>(host.options().integer("count"));
         creatures_.resize(count);
         measures_.resize(count);
@@ -64,22 +72,17 @@ public:
     }
 
     void run(Phase, const orbweaver::Frame& frame) override {
+        step_ = frame.step;
         const double reach = 1.5 * mean_leg_length(species_);
         if (creatures_.size() > 1) neighbors_.gather(position_, reach);
-        auto advance = [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) advance_one(i, reach, frame.step);
-        };
-        if (workers_ != nullptr)
-            workers_->for_each_range(creatures_.size(), kGrain, advance);
-        else
-            advance(0, creatures_.size());
+        for_each([&](std::size_t i) { advance_one(i, reach, frame.step); });
         keep_state();
     }
 
     void restored() override {
         for (std::size_t i = 0; i < creatures_.size(); ++i)
             read_numbers(&numbers_[i * per_creature_], species_.limbs.size(), creatures_[i]);
-        skeleton_.pose(conduct_, creatures_);
+        is_posed_ = false;
     }
 
     void report(ModuleReport& report) override {
@@ -98,18 +101,38 @@ public:
         report.measure("max_joint_violation_rad", all.worst_joint);
         report.measure("reach_failures", static_cast<std::int64_t>(all.forced_steps));
         report.measure("max_reach_error", all.worst_reach);
-        report.measure("steps_without_foothold", static_cast<std::int64_t>(all.empty_steps));
+        report.measure("footholds_not_found", static_cast<std::int64_t>(all.searches));
         report.measure("min_stability_margin_m", all.frames > 0 ? all.least_margin : 0);
+        report.measure("mean_stability_margin_m", all.margins / frames);
+        report.measure("unstable_frames", static_cast<std::int64_t>(all.unstable_frames));
+        report.measure("penetrating_frames", static_cast<std::int64_t>(all.penetrating_frames));
+        report.measure("max_turn_deg_per_s", all.worst_turn / step_);
         report.measure("distance_walked_m", all.distance);
     }
 
-    std::span<const Vec3> points() const noexcept override { return skeleton_.points(); }
+    /// Bones are posed when somebody wants to see them.
+    std::span<const Vec3> points() const noexcept override {
+        if (!is_posed_) skeleton_.pose(conduct_, creatures_);
+        is_posed_ = true;
+        return skeleton_.points();
+    }
     std::span<const ThreadSegment> segments() const noexcept override { return skeleton_.segments(); }
     std::span<const std::string_view> kinds() const noexcept override { return kSkeletonKinds; }
     std::uint64_t revision() const noexcept override { return 0; }
 
 private:
     static constexpr std::size_t kGrain = 8;
+
+    template <class F>
+    void for_each(const F& f) {
+        auto range = [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) f(i);
+        };
+        if (workers_ != nullptr)
+            workers_->for_each_range(creatures_.size(), kGrain, range);
+        else
+            range(0, creatures_.size());
+    }
 
     void make_state(Host& host, std::size_t count) {
         position_ = host.state().vectors("position", count, {"m", "middles of the creatures' thoraxes"});
@@ -164,20 +187,22 @@ private:
                          creatures_[i], measures_[i]);
     }
 
+    /// Only when all have advanced: they look at where others were.
     void keep_state() {
         const std::size_t legs = species_.limbs.size();
-        for (std::size_t i = 0; i < creatures_.size(); ++i) {
+        for_each([&](std::size_t i) {
             const BodyPose pose = pose_of(conduct_, creatures_[i]);
             position_[i] = pose.position;
             up_[i] = pose.up;
             forward_[i] = pose.forward;
             for (std::size_t leg = 0; leg < legs; ++leg) foot_[i * legs + leg] = creatures_[i].feet[leg].place;
             write_numbers(creatures_[i], legs, &numbers_[i * per_creature_]);
-        }
-        skeleton_.pose(conduct_, creatures_);
+        });
+        is_posed_ = false;
     }
 
     Species species_;
+    std::optional<LegLanes> lanes_;
     Conduct conduct_;
     const Surface* surface_ = nullptr;
     Workers* workers_ = nullptr;
@@ -185,10 +210,12 @@ private:
     std::vector<CreatureState> creatures_;
     std::vector<CreatureMeasures> measures_;
     Neighbors neighbors_;
-    Skeleton skeleton_;
+    mutable Skeleton skeleton_;
+    mutable bool is_posed_ = false;
     std::span<Vec3> position_, up_, forward_, foot_;  // state
     std::span<double> numbers_;                       // state
     std::size_t per_creature_ = 0;
+    double step_ = 1;  // s, of a frame
 };
 
 }  // namespace

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <array>
 
-#include "orbweaver/exact_math.hpp"
+#include "rotor.hpp"
 
 namespace orbweaver::spider {
 namespace {
 
-constexpr double kTurn = 360;  // degrees
 constexpr double kPi = 3.14159265358979323846;
 
 SwingPoint cycloid(double s) noexcept {
-    return {s - sin_degrees(kTurn * s) / (2 * kPi), (1 - cos_degrees(kTurn * s)) / 2};
+    const Rotor<double> turn = rotor(2 * kPi * s - kPi);  // half a turn behind
+    return {s + turn.s / (2 * kPi), (1 + turn.c) / 2};
 }
 
 SwingPoint arc(double s) noexcept { return {s, 4 * s * (1 - s)}; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "orbweaver/exact_math.hpp"
+#include "rotor.hpp"
 
 namespace orbweaver::spider {
 namespace {
@@ -53,22 +54,27 @@ double degrees_between(const Vec3& a, const Vec3& b) noexcept {
 }
 
 Vec3 turned_between(const Vec3& a, const Vec3& b, double share) noexcept {
-    constexpr int kHalvings = 52;
-    if (share <= 0) return a;
+    if (share <= 0 || a == b) return a;
     if (share >= 1) return b;
-    Vec3 low = a, high = b;
-    for (int i = 0; i < kHalvings && !(low == high); ++i) {
-        const Vec3 half = middle(low, high);
-        share *= 2;
-        if (share < 1) {
-            high = half;
-        } else {
-            low = half;
-            share -= 1;
-        }
-        if (share == 0) return low;
-    }
-    return low;
+    // Across a, twice: what is left of b where the two are nearly opposite is mostly rounding.
+    const Vec3 aside = across(across(b, a), a);
+    const double size = norm(aside);
+    if (!(size > 0)) return a;
+    const Rotor<double> turn = rotor(share * angle_of(dot(a, b), size));
+    return unit(turn.c * a + (turn.s / size) * aside);
+}
+
+Vec3 turned_about(const Vec3& up, const Vec3& from, const Vec3& to, double most_degrees) noexcept {
+    constexpr double kRadian = 0.017453292519943295;
+    const Rotor<double> turn = rotor(kRadian * std::min(most_degrees, 180.0));
+    if (dot(from, to) >= turn.c) return to;
+    const Vec3 left = cross(up, from);
+    return unit(turn.c * from + (dot(left, to) < 0 ? -turn.s : turn.s) * left);
+}
+
+Vec3 carried_over(const Vec3& forward, const Vec3& before, const Vec3& after) noexcept {
+    const Vec3 turned = forward - (dot(forward, after) / (1 + dot(before, after))) * (before + after);
+    return unit(across(turned, after));
 }
 
 void turn_up(const Vec3& wanted, const Vec3& forward, TurnCurve curve, std::uint32_t steps, double most_degrees,

@@ -25,8 +25,16 @@ struct UpTurn {
 void turn_up(const Vec3& wanted, const Vec3& forward, TurnCurve curve, std::uint32_t steps, double most_degrees,
              UpTurn& turn) noexcept;
 
-/// On the great circle from a to b (unit, not opposite), `share` of the angle on, by halving: of +, -, *, / and
-/// sqrt alone, exact to 1e-15.
+/// `from` (unit, across `up`), turned about `up` towards `to` (unit, the same) by no more than `most_degrees`;
+/// right about, by the left.
+Vec3 turned_about(const Vec3& up, const Vec3& from, const Vec3& to, double most_degrees) noexcept;
+
+/// A body's forward (unit, across its up) after its up has gone from `before` to `after` (not opposite) on the
+/// great circle: it did not turn about it.
+Vec3 carried_over(const Vec3& forward, const Vec3& before, const Vec3& after) noexcept;
+
+/// On the great circle from a to b (unit, not opposite), `share` of the angle on: of +, -, *, / and sqrt alone,
+/// exact to 1e-14.
 Vec3 turned_between(const Vec3& a, const Vec3& b, double share) noexcept;
 
 /// Degrees between unit vectors, by the same means; at most 0.001 too many.

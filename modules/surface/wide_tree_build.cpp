@@ -13,6 +13,14 @@ namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
+/// The next number from x towards `far`; never so small a one that it is denormal, over which processors take a
+/// hundred times as long: a plane through the middle would be.
+float beyond(float x, float far) noexcept {
+    constexpr float kLeast = 1e-30F;
+    const float next = std::nextafter(x, far);
+    return std::abs(next) < kLeast ? std::copysign(kLeast, far) : next;
+}
+
 /// In the tree's coordinates, rounded outwards.
 struct Box {
     std::array<float, 3> low{kFar, kFar, kFar};
@@ -69,8 +77,8 @@ private:
             const double at[3] = {p.x, p.y, p.z};
             for (std::size_t i = 0; i < 3; ++i) {
                 const auto rounded = static_cast<float>(at[i]);
-                box.low[i] = std::min(box.low[i], std::nextafter(rounded, -kFar));
-                box.high[i] = std::max(box.high[i], std::nextafter(rounded, kFar));
+                box.low[i] = std::min(box.low[i], beyond(rounded, -kFar));
+                box.high[i] = std::max(box.high[i], beyond(rounded, kFar));
             }
         }
         return box;

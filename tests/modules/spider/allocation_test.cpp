@@ -1,8 +1,9 @@
 #include <cstdlib>
 #include <new>
 
-#include "creatures.hpp"
+#include "land.hpp"
 #include "leg_lanes.hpp"
+#include "walking.hpp"
 
 namespace {
 std::size_t allocations = 0;
@@ -43,4 +44,18 @@ TEST_CASE("solving allocates nothing, restarts or not", "[unit]") {
     const std::size_t after = allocations;
     CHECK(after == before);
     CHECK(restarts >= 4 * LegSolverOptions{}.restarts);
+}
+
+TEST_CASE("a frame of a creature allocates nothing", "[unit]") {
+    const land::Land room(mesh::room(0.2, 2));
+    const Conduct conduct = walking(huntsman());
+    const RandomStream random(1, "frames");
+    CreatureState state;
+    CreatureMeasures measures;
+    place_creature(room.surface(), conduct, room.stand({0, -0.1, 0}, {0, 1, 0}, {1, 0, 0.3}), state);
+    const std::size_t before = allocations;
+    for (int i = 0; i < 1200; ++i)
+        advance_creature(room.surface(), conduct, {random, {}, 0}, kFrame, state, measures);
+    const std::size_t after = allocations;
+    CHECK(after == before);
 }

@@ -92,3 +92,14 @@ TEST_CASE("glass holds a foot where it is level enough for its friction, and now
     CHECK(holds(rock, leaning(180), kGravity));
     CHECK(holds(glass, leaning(180), {}));
 }
+
+TEST_CASE("where the surface ends before the foot its rim is a place to stand", "[unit]") {
+    const Land strip(mesh::height_field(1, 1));
+    const Footing ground = strip.stand({0.48, 1, 0}, {0, 1, 0}, {1, 0, 0});
+    const LegReach leg{{0.45, 0.05, 0}, 0.01, 0.5};
+    const Foothold found =
+        find(strip, FootholdWay::surface, ground, ground.position + Vec3{0.1, 0, 0}, leg, 0.05);
+    REQUIRE(found.found);
+    CHECK(found.position.x == Approx(0.5).epsilon(1e-12));
+    CHECK(found.rim);
+}

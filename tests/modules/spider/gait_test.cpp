@@ -18,7 +18,7 @@ struct Walker {
     }
     GaitState state() { return {&phase, start, progress}; }
     void advance(const Gait& gait, const Pace& pace) {
-        advance_gait(gait, pace, {kFrame, 0.2, 0.5, strained, lifted, landed}, state());
+        advance_gait(gait, pace, {kFrame, 0.2, 0.5, strained, lifted, landed, feet, velocity}, state());
     }
     int feet_down() const {
         int down = 0;
@@ -29,6 +29,8 @@ struct Walker {
     double phase = 0;
     std::vector<double> start, progress;
     std::vector<std::uint8_t> strained, lifted, landed;
+    std::vector<SupportPoint> feet;  // none: balance is not looked at
+    SupportPoint velocity;
 };
 
 struct Counts {
@@ -140,7 +142,8 @@ TEST_CASE("a strained leg steps out of turn, while its neighbors stand", "[unit]
 TEST_CASE("speed is stride times frequency, and both grow with it", "[unit]") {
     const PaceRange range{0.3, 0.02, 0.06, 0.8, 0.6};
     double stride = 0, frequency = -1;
-    for (double speed = 0; speed <= 0.3; speed += 0.01) {
+    for (int i = 0; i <= 30; ++i) {
+        const double speed = 0.01 * i;
         const Pace pace = pace_at(range, speed);
         CHECK(pace.stride * pace.frequency == Approx(speed).margin(1e-15));
         CHECK(pace.stride > stride);
@@ -149,4 +152,41 @@ TEST_CASE("speed is stride times frequency, and both grow with it", "[unit]") {
         frequency = pace.frequency;
     }
     CHECK(pace_at(range, 9).duty == Approx(0.6));
+}
+
+TEST_CASE("a leg waits whose lift would let the creature fall over, unless it is strained", "[unit]") {
+    constexpr int kCycle = 30;  // frames
+    const Gait& gait = *find_gait("tetrapod");
+    const auto lifts = [&](bool strained) {
+        Walker walker(8, gait);
+        // Without L4 all weight is behind the feet.
+        walker.feet = {{2, -1}, {2, 1}, {2, -1}, {2, 1}, {1, -1}, {1, 1}, {-2, -1}, {0.5, 1}};
+        walker.strained[6] = strained ? 1 : 0;
+        int lifted = 0;
+        for (int i = 0; i < 2 * kCycle; ++i) {
+            walker.advance(gait, {0.05, 2, 0.7});
+            lifted += walker.lifted[6];
+        }
+        return lifted;
+    };
+    CHECK(lifts(false) == 0);
+    CHECK(lifts(true) > 0);
+}
+
+TEST_CASE("a leg waits where the creature would fall over before it lands", "[unit]") {
+    constexpr int kCycle = 30;  // frames
+    const Gait& gait = *find_gait("tetrapod");
+    const auto lifts = [&](double speed) {
+        Walker walker(8, gait);
+        walker.feet = {{2, -1}, {2, 1}, {1, -1}, {1, 1}, {-1, -1}, {-1, 1}, {-2, -1}, {-2, 1}};
+        walker.velocity = {speed, 0};
+        int lifted = 0;
+        for (int i = 0; i < 2 * kCycle; ++i) {
+            walker.advance(gait, {0.05, 2, 0.7});
+            lifted += walker.lifted[0];
+        }
+        return lifted;
+    };
+    CHECK(lifts(0) > 0);
+    CHECK(lifts(20) == 0);  // 3 in the 0.15 s of a swing: L1 is one of the last two that it has by then
 }

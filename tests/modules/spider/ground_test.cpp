@@ -26,7 +26,7 @@ TEST_CASE("a creature walks straight over a cube's edges and comes back, its hea
     const Land cube(mesh::cube(2, 3));
     Ground ground = standing(cube, {0.21, 0.13, 1}, {0, 0, 1}, {1, 0, 0}, 0.4);
     const Ground begin = ground;
-    for (int i = 0; i < 1200; ++i) CHECK(move(cube.surface(), 1.0 / 60, ground) == MoveEnd::moved);
+    for (int i = 0; i < 1200; ++i) CHECK(move(cube.surface(), 1.0 / 60, 0.01, ground) == MoveEnd::moved);
     CHECK(distance(ground.footing.position, begin.footing.position) < 1e-12);
     CHECK(distance(ground.facing, begin.facing) < 1e-12);
     CHECK(norm(ground.velocity) == Approx(0.4).epsilon(1e-12));
@@ -36,7 +36,7 @@ TEST_CASE("a head that looks aside looks as far aside behind an edge", "[unit]")
     const Land cube(mesh::cube(2, 3));
     Ground ground = standing(cube, {0.9, 0.13, 1}, {0, 0, 1}, {1, 0, 0}, 0.4);
     ground.facing = {0.6, 0.8, 0};
-    move(cube.surface(), 0.5, ground);  // 0.1 m to the edge, 0.1 m down the side
+    move(cube.surface(), 0.5, 0.01, ground);  // 0.1 m to the edge, 0.1 m down the side
     CHECK(distance(ground.footing.position, {1, 0.13, 0.9}) < 1e-12);
     CHECK(distance(ground.facing, {0, 0.8, -0.6}) < 1e-12);
     CHECK(distance(ground.velocity, {0, 0, -0.4}) < 1e-12);
@@ -48,7 +48,7 @@ TEST_CASE("a border turns a creature back, and it is not lost", "[unit]") {
     Ground ground = standing(strip, {0, 1, 0}, {0, 1, 0}, {1, 0, 0.3}, 0.3);
     int turned = 0;
     for (std::uint64_t i = 0; i < 6000; ++i) {
-        const MoveEnd end = move(strip.surface(), 1.0 / 60, ground);
+        const MoveEnd end = move(strip.surface(), 1.0 / 60, 0.01, ground);
         REQUIRE(end != MoveEnd::lost);
         if (end == MoveEnd::turned) ++turned;
         const Vec3 aside = cross(ground.footing.up, ground.footing.forward);
@@ -80,7 +80,7 @@ TEST_CASE("a head turns towards the way at its rate, right about too", "[unit]")
 TEST_CASE("a wall is felt before the creature arrives, and an edge too", "[unit]") {
     const Land room(mesh::room(2, 4)), cube(mesh::cube(2, 4));
     const Ground inside = standing(room, {0.8, -1, 0.1}, {0, 1, 0}, {1, 0, 0.2}, 0.3);
-    const Feel wall = feel_ahead(room.surface(), inside, 0.4);
+    const Feel wall = feel_ahead(room.surface(), inside, 0.4, 0.01);
     CHECK(wall.rises);
     CHECK(wall.corner_degrees == Approx(90).margin(0.001));
     CHECK(wall.corner_distance == Approx(0.2 * norm(Vec3{1, 0, 0.2})).epsilon(1e-9));
@@ -88,10 +88,44 @@ TEST_CASE("a wall is felt before the creature arrives, and an edge too", "[unit]
     const double share = 1 / std::sqrt(5.0);  // two ups of the floor, one of the wall
     CHECK(distance(wall.up, {-share, 2 * share, 0}) < 1e-12);
     const Ground outside = standing(cube, {0.8, 1, 0.1}, {0, 1, 0}, {1, 0, 0}, 0.3);
-    const Feel edge = feel_ahead(cube.surface(), outside, 0.4);
+    const Feel edge = feel_ahead(cube.surface(), outside, 0.4, 0.01);
     CHECK_FALSE(edge.rises);
     CHECK(distance(edge.up, {share, 2 * share, 0}) < 1e-12);
-    const Feel level = feel_ahead(cube.surface(), outside, 0.1);
+    const Feel level = feel_ahead(cube.surface(), outside, 0.1, 0.01);
     CHECK(level.corner_distance > 0.1);
     CHECK(level.up == Vec3{0, 1, 0});
+}
+
+TEST_CASE("the end of the surface is felt ahead, and the side that has more room", "[unit]") {
+    const Land strip(mesh::height_field(1, 4));
+    const Ground towards = standing(strip, {0.45, 0.02, 0.3}, {0, 1, 0}, {1, 0, 0}, 0.1);
+    const Feel border = feel_ahead(strip.surface(), towards, 0.1, 0.01);
+    CHECK(border.border_distance > 0.04);
+    CHECK(border.border_distance < 0.08);  // hills are longer than they are wide
+    // Half left of +x is towards -z, where there is room; half right is the nearer corner.
+    CHECK(border.room_left >= border.room_right);
+    const Feel far = feel_ahead(strip.surface(), towards, 0.03, 0.01);
+    CHECK(far.border_distance > 0.03);
+    const Land crevice(mesh::room(0.05, 2));
+    const Ground below = standing(crevice, {0, -0.025, 0}, {0, 1, 0}, {1, 0, 0}, 0.1);
+    CHECK(feel_ahead(crevice.surface(), below, 0.01, 0.049).border_distance > 0.01);
+    CHECK(feel_ahead(crevice.surface(), below, 0.01, 0.051).border_distance < 0.01);  // the ceiling is too low
+}
+
+TEST_CASE("a crate on a floor is climbed, and nobody goes to where there is no room", "[unit]") {
+    const Land land(land::crates_on_a_floor());
+    Ground ground = standing(land, {0.05, 0, 0.1}, {0, 1, 0}, {1, 0, 0}, 0.3);
+    for (int i = 0; i < 60; ++i) CHECK(move(land.surface(), 1.0 / 60, 0.01, ground) == MoveEnd::moved);
+    // 0.075 m of floor, 0.135 of wall, and 0.09 of the crate's top.
+    CHECK(distance(ground.footing.position, {0.215, 0.135, 0.1}) <
+          1e-6);  // shells are felt a ten-millionth off
+    CHECK(distance(ground.facing, {1, 0, 0}) < 1e-12);
+    // Under the ball the floor rises to meet nothing: the gap closes.
+    Ground below = standing(land, {-0.1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.1);
+    int turned = 0;
+    for (int i = 0; i < 240; ++i)
+        if (move(land.surface(), 1.0 / 60, 0.2, below) == MoveEnd::turned) ++turned;
+    CHECK(turned > 0);
+    CHECK(land.surface().first_hit({below.footing.position + Vec3{0, 1e-4, 0}, {0, 1, 0}, 0.19}).answer !=
+          Answer::found);
 }

@@ -81,11 +81,34 @@ TEST_CASE("from one side of a sheet to the other the body turns over its front",
 }
 
 TEST_CASE("angles are told to a thousandth of a degree, and never too small", "[unit]") {
-    for (double angle = 0; angle <= M_PI; angle += 0.01) {
+    for (int i = 0; i <= 314; ++i) {
+        const double angle = 0.01 * i;
         const Vec3 b{std::sin(angle), std::cos(angle), 0};
         const double told = degrees_between({0, 1, 0}, b), exact = angle * 180 / M_PI;
         CHECK(told >= exact - 1e-9);
         CHECK(told <= exact + 0.001);
     }
     CHECK(degrees_between({0, 1, 0}, {0, -1, 0}) == 180);
+}
+
+TEST_CASE("a head turns about the up, the nearer way and no farther than it may", "[unit]") {
+    const Vec3 up{0, 1, 0}, ahead{1, 0, 0};
+    for (const double degree : {-170.0, -60.0, -3.0, 0.5, 40.0, 120.0}) {
+        const double angle = degree * M_PI / 180;
+        const Vec3 to{std::cos(angle), 0, std::sin(angle)};
+        const Vec3 turned = turned_about(up, ahead, to, 5);
+        CHECK(degrees(ahead, turned) == Approx(std::min(5.0, std::abs(degree))).margin(1e-9));
+        CHECK(dot(cross(ahead, to), cross(ahead, turned)) >= 0);
+        CHECK(std::abs(dot(turned, up)) < 1e-15);
+    }
+    CHECK(turned_about(up, ahead, {0.6, 0, 0.8}, 60) == Vec3{0.6, 0, 0.8});
+    CHECK(degrees(ahead, turned_about(up, ahead, {-1, 0, 0}, 5)) == Approx(5));
+}
+
+TEST_CASE("a forward that is carried over an edge keeps its angle to it", "[unit]") {
+    const Vec3 before{0, 1, 0}, after{1, 0, 0};  // about z
+    const Vec3 forward{0.6, 0, 0.8};
+    CHECK(distance(carried_over(forward, before, after), {0, -0.6, 0.8}) < 1e-15);
+    CHECK(carried_over({0, 0, 1}, before, after) == Vec3{0, 0, 1});
+    CHECK(distance(carried_over(forward, before, before), forward) < 1e-15);
 }

@@ -51,6 +51,27 @@ TEST_CASE("the same mesh gives the same tree, bit for bit", "[unit]") {
     }
 }
 
+TEST_CASE("no plane of a box is denormal, where the mesh has its vertices in the middle too", "[unit]") {
+    Ball cross;  // three squares about the origin, one across each axis
+    cross.vertices = {{-1, -1, 0}, {1, -1, 0},  {1, 1, 0},  {0, -1, -1}, {0, 1, -1},
+                      {0, 1, 1},   {-1, 0, -1}, {1, 0, -1}, {1, 0, 1},   {0, 0, 0}};
+    for (std::uint32_t i = 0; i < 9; i += 3) {
+        cross.triangles.push_back({i, i + 1, i + 2});
+        cross.triangles.push_back({i, i + 1, 9});
+        cross.triangles.push_back({i + 1, i + 2, 9});
+    }
+    const WideTreeData tree = build_wide_tree(cross.set());
+    CHECK(fault_of(tree.view(), cross.set()).empty());
+    int beside_the_middle = 0;
+    for (const WideNode& node : tree.nodes)
+        for (const auto& planes : node.planes)
+            for (const float plane : planes) {
+                CHECK(std::fpclassify(plane) != FP_SUBNORMAL);
+                beside_the_middle += plane != 0 && std::abs(plane) < 1e-20F ? 1 : 0;
+            }
+    CHECK(beside_the_middle > 0);
+}
+
 TEST_CASE("a tree that does not fit its mesh is told in words", "[unit]") {
     const Ball ball = rough_ball(6, 1, {});
     const WideTreeData sound = build_wide_tree(ball.set());

@@ -1,0 +1,111 @@
+#include "keep_off.hpp"
+
+#include <cmath>
+
+#include "creatures.hpp"
+#include "land.hpp"
+
+using namespace orbweaver;
+using namespace orbweaver::spider;
+using namespace orbweaver::spider::test;
+using land::Land;
+
+namespace {
+
+/// Level, above a place, looking along `forward`.
+BodyPose above(const Footing& ground, const Vec3& forward, double height) {
+    return {ground.position + height * ground.up, forward, ground.up, cross(forward, ground.up)};
+}
+
+BodyPose moved(BodyPose pose, const Vec3& by) {
+    pose.position += by;
+    return pose;
+}
+
+/// Points of the body's ellipsoids, which know nothing of balls.
+template <class Each>
+void each_point(const Body& body, const BodyPose& pose, const Each& each) {
+    const double front = body.thorax.x / 2;
+    const std::pair<Vec3, double> parts[] = {
+        {body.thorax, 0}, {body.head, front + body.head.x / 2}, {body.abdomen, -front - body.abdomen.x / 2}};
+    for (const auto& [extents, middle] : parts)
+        for (int latitude = -90; latitude <= 90; latitude += 10)
+            for (int longitude = 0; longitude < 360; longitude += 10) {
+                const double a = latitude * kDegree, b = longitude * kDegree;
+                each(to_world(pose, {middle + extents.x / 2 * std::cos(a) * std::cos(b),
+                                     extents.y / 2 * std::sin(a), extents.z / 2 * std::cos(a) * std::sin(b)}));
+            }
+}
+
+/// m, how deep the deepest of them is inside a cube about the origin.
+double depth_in_cube(const Body& body, const BodyPose& pose, double half) {
+    double deepest = -HUGE_VAL;
+    each_point(body, pose, [&](const Vec3& p) {
+        deepest = std::max(deepest, half - std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
+    });
+    return deepest;
+}
+
+}  // namespace
+
+TEST_CASE("over level ground a body is as deep as its lowest ball", "[unit]") {
+    const Land cube(mesh::cube(1, 4));
+    const Species huntsman = creature("huntsman");
+    const Footing ground = cube.stand({0.03, 0.5, 0.02}, {0, 1, 0}, {1, 0, 0});
+    const double lowest = depth_of(huntsman.shape);
+    for (const double height : {0.0011, 0.002, 0.0028}) {
+        const BodyPose pose = above(ground, {1, 0, 0}, height);
+        CHECK(penetration(cube.surface(), huntsman.shape, ground, pose) ==
+              Approx(lowest - height).epsilon(1e-9));
+        CHECK(lowest - height >= depth_in_cube(huntsman.body, pose, 0.5));
+    }
+    CHECK(penetration(cube.surface(), huntsman.shape, ground, above(ground, {1, 0, 0}, lowest * 1.001)) == 0);
+    CHECK(penetration(cube.surface(), huntsman.shape, ground, above(ground, {1, 0, 0}, 0.01)) == 0);
+}
+
+TEST_CASE("an abdomen that hangs into a wall is found, and so is a body behind one", "[unit]") {
+    const Land room(mesh::room(1, 4));
+    const Species huntsman = creature("huntsman");
+    const Footing ground = room.stand({0.47, -0.5, 0}, {0, 1, 0}, {1, 0, 0});
+    // Looking away from the wall, which is 30 mm off, it ends 16.5 mm behind its middle: clear. 20 mm nearer
+    // not.
+    const BodyPose pose = above(ground, {-1, 0, 0}, 0.011);
+    CHECK(penetration(room.surface(), huntsman.shape, ground, pose) == 0);
+    const double deep = penetration(room.surface(), huntsman.shape, ground, moved(pose, {0.02, 0, 0}));
+    CHECK(deep > 0.0065);
+    CHECK(deep < 0.0073);  // the balls' growth included
+    CHECK(penetration(room.surface(), huntsman.shape, ground, moved(pose, {0.04, 0, 0})) > 0.01);
+}
+
+TEST_CASE("a body is pushed off walls, out of corners and over edges, and no more than it takes", "[unit]") {
+    const Species huntsman = creature("huntsman");
+    const Land room(mesh::room(1, 4)), cube(mesh::cube(1, 4));
+    const Footing corner = room.stand({0.497, -0.5, 0.496}, {0, 1, 0}, {1, 0, 0});
+    Vec3 shift;
+    const BodyPose into = above(corner, Vec3{0.6, 0, 0.8}, 0.011);
+    REQUIRE(penetration(room.surface(), huntsman.shape, corner, into) > 0.003);
+    CHECK(keep_off(room.surface(), huntsman.shape, corner, into, 0.04, shift) == 0);
+    CHECK(penetration(room.surface(), huntsman.shape, corner, moved(into, shift)) == 0);
+    CHECK(norm(shift) < 0.015);
+    each_point(huntsman.body, moved(into, shift), [&](const Vec3& p) {
+        CHECK(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= 0.5);
+    });
+    const Footing rim = cube.stand({0.499, 0.5, 0}, {0, 1, 0}, {1, 0, 0});
+    const Vec3 down = Vec3{0.6, -0.8, 0}, up{0.8, 0.6, 0};
+    const BodyPose over{rim.position + 0.0015 * up, down, up, cross(down, up)};
+    REQUIRE(depth_in_cube(huntsman.body, over, 0.5) > 0);
+    shift = {};
+    CHECK(keep_off(cube.surface(), huntsman.shape, rim, over, 0.04, shift) == 0);
+    CHECK(depth_in_cube(huntsman.body, moved(over, shift), 0.5) <= 0);
+    CHECK(norm(shift) < 0.01);
+}
+
+TEST_CASE("where a body has no room the penetration that is left is told", "[unit]") {
+    const Land tube(mesh::room(0.008, 2));  // 8 mm wide: an abdomen is 12 mm long
+    const Species huntsman = creature("huntsman");
+    const Footing ground = tube.stand({0, -0.004, 0}, {0, 1, 0}, {1, 0, 0});
+    Vec3 shift;
+    CHECK(keep_off(tube.surface(), huntsman.shape, ground, above(ground, {1, 0, 0}, 0.004), 0.04, shift) >
+          0.001);
+    CHECK(norm(shift) <= 0.04 * (1 + 1e-12));
+}

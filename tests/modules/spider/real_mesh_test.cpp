@@ -1,0 +1,55 @@
+// Wandering over scanned and modelled meshes: noise, thin ears, creases and borders that shapes of our own
+// lack.
+
+#include <algorithm>
+#include <string>
+
+#include "../surface/obj_mesh.hpp"
+#include "land.hpp"
+#include "walking.hpp"
+
+using namespace orbweaver;
+using namespace orbweaver::spider;
+using namespace orbweaver::spider::test;
+using land::Land;
+
+namespace {
+
+/// Its middle at the origin, its largest extent as given (m).
+mesh::RawMesh real_mesh(const std::string& name, double size) {
+    const mesh::RawMesh raw = surface::test::read_obj(std::string(ORBWEAVER_MESHES) + "/" + name + ".obj");
+    Vec3 low = raw.points[0], high = low;
+    for (const Vec3& p : raw.points) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    const Vec3 extent = high - low;
+    const double scale = size / std::max({extent.x, extent.y, extent.z});
+    return mesh::transformed(raw, scale, -0.5 * scale * (low + high));
+}
+
+}  // namespace
+
+TEST_CASE("a huntsman wanders over real meshes and keeps its feet", "[extreme]") {
+    constexpr int kMinutes = 2;
+    const Conduct conduct = walking(huntsman());
+    for (const std::string name : {"stanford-bunny", "spot", "fandisk", "suzanne"}) {
+        INFO(name);
+        const Land land(real_mesh(name, 0.5));
+        const RandomStream random(1, name);
+        CreatureState state;
+        CreatureMeasures measures;
+        place_creature(land.surface(), conduct, land.stand({0, 1, 0}, {0, 1, 0}, {1, 0, 0.3}), state);
+        for (int i = 0; i < kMinutes * 3600; ++i)
+            advance_creature(land.surface(), conduct, {random, {}, 0}, kFrame, state, measures);
+        CHECK(measures.lost_frames == 0);
+        CHECK(measures.worst_slip == 0);
+        CHECK(measures.worst_reach <= 1e-6);  // of leg length
+        CHECK(measures.worst_joint <= 0);
+        CHECK(measures.worst_turn <= conduct.turn_rate * kFrame * (1 + 1e-5));
+        CHECK(measures.worst_penetration == 0);
+        CHECK(measures.distance > kMinutes * 60 * 0.03);
+        CHECK(measures.forced_steps < measures.steps / 20);
+        CHECK(static_cast<double>(measures.feet_down) / static_cast<double>(measures.frames) > 5);
+    }
+}
