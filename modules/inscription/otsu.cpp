@@ -1,6 +1,7 @@
 #include "otsu.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace orbweaver::inscription {
@@ -8,7 +9,7 @@ namespace orbweaver::inscription {
 Histogram histogram(const Shades& shades) {
     Histogram counts{};
     for (const float shade : shades.values)
-        ++counts[static_cast<std::size_t>(std::clamp(shade, 0.0F, 1.0F) * 255 + 0.5F)];
+        ++counts[static_cast<std::size_t>(std::lround(255 * std::clamp(shade, 0.0F, 1.0F)))];
     return counts;
 }
 

@@ -27,6 +27,13 @@ std::string name_of(const TargetRecipe& recipe) {
     return recipe.text ? "the text '" + *recipe.text + "'" : "a target of random gaps";
 }
 
+bool exists(const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::exists(path, ignored);
+}
+
+BakedFile open(const std::string& path) { return {path, kTargetType, kTargetVersion}; }
+
 }  // namespace
 
 std::string cached_path(const TargetRecipe& recipe) {
@@ -35,21 +42,29 @@ std::string cached_path(const TargetRecipe& recipe) {
 
 std::optional<BakedFile> find_cached(const TargetRecipe& recipe) {
     const std::string path = cached_path(recipe);
-    if (std::error_code ignored; !std::filesystem::exists(path, ignored)) return std::nullopt;
+    if (!exists(path)) return std::nullopt;
     try {
-        return BakedFile(path, kTargetType, kTargetVersion);
+        return open(path);
     } catch (const Fault&) {
         return std::nullopt;  // damaged: as good as absent, since it can be made again
     }
 }
 
 BakedFile open_target(const TargetRecipe& recipe) {
-    if (recipe.picture && is_baked_file(*recipe.picture)) return {*recipe.picture, kTargetType, kTargetVersion};
-    if (auto file = find_cached(recipe)) return std::move(*file);
-    throw Fault(FaultKind::invalid,
-                name_of(recipe) +
-                    ": is not baked yet; run orbweaver-assets bake with this scene, or bake it "
-                    "with orbweaver-assets target and name the baked file");
+    if (recipe.picture && is_baked_file(*recipe.picture)) return open(*recipe.picture);
+    const std::string path = cached_path(recipe);
+    if (!exists(path))
+        throw Fault(FaultKind::invalid,
+                    name_of(recipe) +
+                        ": is not baked yet; run orbweaver-assets bake with this scene, or bake it "
+                        "with orbweaver-assets target and name the baked file");
+    try {
+        return open(path);
+    } catch (const Fault& fault) {
+        throw Fault(FaultKind::invalid,
+                    name_of(recipe) + ": was baked, but what is kept of it cannot be used (" + fault.what() +
+                        "); orbweaver-assets bake, with this scene, makes it anew in the cache");
+    }
 }
 
 }  // namespace orbweaver::inscription

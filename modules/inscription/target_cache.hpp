@@ -16,7 +16,8 @@ std::string cached_path(const TargetRecipe& recipe);
 std::optional<BakedFile> find_cached(const TargetRecipe& recipe);
 
 /// A target to be inscribed: the picture itself where that is a baked file, or what
-/// `orbweaver-assets bake SCENE` made. Throws Fault(invalid) for one that is not baked yet, and says how.
+/// `orbweaver-assets bake SCENE` made. Throws Fault(invalid) for one that is not baked yet, or of which the
+/// cache holds something damaged, and says how it is made.
 BakedFile open_target(const TargetRecipe& recipe);
 
 }  // namespace orbweaver::inscription

@@ -55,6 +55,11 @@ TEST_CASE("what was baked is found until its source changes, and not when it is 
     stage.folder.write("a.png", "bytes");
     stage.folder.write("cache/" + path.substr(path.rfind('/') + 1), "ORBWBAKE");
     CHECK_FALSE(find_cached(stage.recipe));
+    CHECK_THROWS_WITH(
+        open_target(stage.recipe),
+        stage.folder.path("a.png") + ": was baked, but what is kept of it cannot be used (" + path +
+            ": is truncated: it has 8 bytes, less than a header; bake it again with orbweaver-assets); "
+            "orbweaver-assets bake, with this scene, makes it anew in the cache");
 }
 
 TEST_CASE("a baked file is opened where it lies, and what is not baked is told with its remedy", "[unit]") {
