@@ -13,12 +13,12 @@ namespace {
 Bitmap dilate_by_definition(const Bitmap& bitmap, int size) {
     Bitmap dilated(bitmap.width, bitmap.height);
     const int width = static_cast<int>(bitmap.width), height = static_cast<int>(bitmap.height), r = size / 2;
-    const auto index = [&](int x, int y) { return static_cast<std::size_t>(y * width + x); };
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
             for (int v = std::max(0, y - r); v <= std::min(height - 1, y + r); ++v)
                 for (int u = std::max(0, x - r); u <= std::min(width - 1, x + r); ++u)
-                    dilated.values[index(x, y)] |= bitmap.values[index(u, v)];
+                    dilated.row(static_cast<std::uint32_t>(y))[x] |=
+                        bitmap.row(static_cast<std::uint32_t>(v))[u];
     return dilated;
 }
 

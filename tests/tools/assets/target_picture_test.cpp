@@ -44,8 +44,9 @@ std::size_t dark(const Bitmap& bitmap) {
 TEST_CASE("a bi-level picture of the target's own size is taken as it is", "[unit]") {
     const RandomStream random(1, "pixels");
     const auto pixel = [&](int x, int y) {
-        return static_cast<std::uint8_t>(random.uniform(static_cast<std::uint64_t>(y * 600 + x)) < 0.3 ? 0
-                                                                                                       : 255);
+        return static_cast<std::uint8_t>(
+            random.uniform(static_cast<std::uint64_t>(y) * 600 + static_cast<std::uint64_t>(x)) < 0.3 ? 0
+                                                                                                      : 255);
     };
     const Stage stage(gray_png(600, 600, pixel));
     const Bitmap coverage = stage.coverage();

@@ -62,11 +62,11 @@ TEST_CASE("a target is drawn: coverage black, what dilation adds gray", "[unit]"
         target.folder().write("p.png", {reinterpret_cast<const char*>(png.data()), png.size()}));
     REQUIRE(picture.width == 20);
     REQUIRE(picture.height == 25);
+    auto shade = picture.shades.begin();
     for (int y = 0; y < 25; ++y)
         for (int x = 0; x < 20; ++x) {
             const bool within = std::abs(x - 10) <= 3 && std::abs(y - 12) <= 3;
-            CHECK(picture.shades[static_cast<std::size_t>(y * 20 + x)] == (x == 10 && y == 12 ? 0
-                                                                           : within           ? 170
-                                                                                              : 255));
+            const int around = within ? 170 : 255;
+            CHECK(*shade++ == (x == 10 && y == 12 ? 0 : around));
         }
 }
