@@ -1,8 +1,8 @@
 #include "mesh_cache.hpp"
 
-#include <cstdlib>
 #include <filesystem>
 
+#include "baked/cache_folder.hpp"
 #include "baked/content_hash.hpp"
 #include "mesh_file.hpp"
 #include "orbweaver/fault.hpp"
@@ -12,11 +12,6 @@ namespace orbweaver::mesh {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string environment(const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? "" : value;
-}
 
 ContentHash key_of(const std::string& source, const Recipe& recipe) {
     ContentHasher key;
@@ -63,13 +58,6 @@ std::vector<char> to_section(std::span<const Companion> companions) {
             section.push_back('\0');
         }
     return section;
-}
-
-std::string cache_folder() {
-    if (std::string own = environment("ORBWEAVER_CACHE"); !own.empty()) return own;
-    if (const std::string all = environment("XDG_CACHE_HOME"); !all.empty()) return all + "/orbweaver";
-    if (const std::string home = environment("HOME"); !home.empty()) return home + "/.cache/orbweaver";
-    throw Fault(FaultKind::invalid, "there is no folder for baked meshes; set ORBWEAVER_CACHE or HOME to one");
 }
 
 std::string cached_path(const std::string& source, const Recipe& recipe) {

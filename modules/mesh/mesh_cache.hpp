@@ -19,12 +19,8 @@ struct Companion {
 /// As the section "companions" of a baked file keeps them: path and hash, each ended by a zero.
 std::vector<char> to_section(std::span<const Companion> companions);
 
-/// Where baked meshes are kept: $ORBWEAVER_CACHE, else $XDG_CACHE_HOME/orbweaver, else ~/.cache/orbweaver.
-/// Throws Fault(invalid) where there is none of them.
-std::string cache_folder();
-
-/// Where the mesh baked from this source belongs: named after the source's bytes, the recipe and the builder's
-/// versions. Throws Fault(invalid) for a source that cannot be read.
+/// Where the mesh baked from this source belongs in cache_folder(): named after the source's bytes, the recipe
+/// and the builder's versions. Throws Fault(invalid) for a source that cannot be read.
 std::string cached_path(const std::string& source, const Recipe& recipe);
 
 /// What was baked from this source, if it is there, sound, and made from the companions that lie beside the

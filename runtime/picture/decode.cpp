@@ -51,18 +51,20 @@ using StbBlock = std::unique_ptr<T[], StbFree>;
 struct Size {
     int width = 0;
     int height = 0;
-    std::size_t values() const noexcept {
-        return 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    std::size_t pixels() const noexcept {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     }
+    std::size_t values() const noexcept { return 3 * pixels(); }
 };
 
-[[noreturn]] void refuse(const PictureBytes& file, const std::string& what, const std::string& remedy) {
+[[noreturn]] void refuse(const PictureBytes& file, const std::string& what, const std::string& remedy,
+                         FaultKind kind = FaultKind::invalid) {
     Diagnostic fault;
     fault.where.file = file.path;
     fault.what = what;
     fault.expected = std::string("a whole ") + name(file.format) + " picture";
     fault.remedy = remedy;
-    throw Unreadable(fault);
+    throw Unreadable(fault, kind);
 }
 
 [[noreturn]] void refuse_damaged(const PictureBytes& file, bool starved) {
@@ -81,7 +83,7 @@ void check_size(const PictureBytes& file, std::size_t width, std::size_t height,
         refuse(file,
                "the picture says it has " + std::to_string(width) + " x " + std::to_string(height) +
                    " pixels, more than the limit of " + std::to_string(limits.pixels),
-               "scale it down");
+               "scale it down", FaultKind::limit);
 }
 
 /// A PNG's size lies at a fixed place; the decoder would call a giant one an unknown type.
@@ -110,16 +112,23 @@ Size read_size(const PictureBytes& file, const Limits& limits) {
 }
 
 template <class T, class Load>
-StbBlock<T> load(const PictureBytes& file, const Size& expected, Load call) {
+StbBlock<T> load(const PictureBytes& file, const Size& expected, Load call, int channels = 3) {
     Reader reader{file.bytes};
     Size size;
-    int channels = 0;
-    StbBlock<T> block(call(&kReaderCalls, &reader, &size.width, &size.height, &channels, 3));
+    int found = 0;
+    StbBlock<T> block(call(&kReaderCalls, &reader, &size.width, &size.height, &found, channels));
     if (!block || reader.starved) refuse_damaged(file, reader.starved);
     if (size.width != expected.width || size.height != expected.height)
         refuse(file, "the picture contradicts its own header", "fetch or make it again");
     return block;
 }
+
+/// Weights of Rec. 709 in parts of 256: white stays white.
+std::uint8_t luma(unsigned r, unsigned g, unsigned b) {
+    return static_cast<std::uint8_t>((54 * r + 183 * g + 19 * b + 128) / 256);
+}
+
+unsigned on_white(unsigned shade, unsigned alpha) { return (shade * alpha + 255 * (255 - alpha) + 127) / 255; }
 
 }  // namespace
 
@@ -133,6 +142,25 @@ Picture decode(const std::string& path, const Limits& limits) {
     } else {
         const auto shades = load<std::uint8_t>(file, size, stbi_load_from_callbacks);
         std::copy_n(shades.get(), size.values(), picture.rgb.begin());
+    }
+    return picture;
+}
+
+GrayPicture decode_gray(const std::string& path, const Limits& limits) {
+    const auto file = read_picture_bytes(path, limits);
+    const auto size = read_size(file, limits);
+    GrayPicture picture{size.width, size.height, std::vector<std::uint8_t>(size.pixels())};
+    if (file.format == Format::hdr) {
+        const auto light = load<float>(file, size, stbi_loadf_from_callbacks);
+        for (std::size_t i = 0; i < size.pixels(); ++i)
+            picture.shades[i] = luma(byte_from_linear(light[3 * i]), byte_from_linear(light[3 * i + 1]),
+                                     byte_from_linear(light[3 * i + 2]));
+    } else {
+        const auto shades = load<std::uint8_t>(file, size, stbi_load_from_callbacks, 4);
+        for (std::size_t i = 0; i < size.pixels(); ++i) {
+            const std::uint8_t* p = &shades[4 * i];
+            picture.shades[i] = luma(on_white(p[0], p[3]), on_white(p[1], p[3]), on_white(p[2], p[3]));
+        }
     }
     return picture;
 }

@@ -13,6 +13,13 @@ struct Picture {
     std::vector<std::uint8_t> rgb;
 };
 
+/// Shades of gray as sRGB codes them, a byte a pixel: 0 is black, 255 is white. Rows from the top, no padding.
+struct GrayPicture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> shades;
+};
+
 /// Light on a linear scale, 3 floats a pixel, rows from the top; white paper is about 1.
 struct LinearPicture {
     int width = 0;

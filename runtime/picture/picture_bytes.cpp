@@ -11,13 +11,14 @@ namespace {
 
 constexpr const char* kExpected = "a PNG, JPEG or Radiance HDR picture";
 
-[[noreturn]] void refuse(const std::string& path, const std::string& what, const std::string& remedy) {
+[[noreturn]] void refuse(const std::string& path, const std::string& what, const std::string& remedy,
+                         FaultKind kind = FaultKind::invalid) {
     Diagnostic fault;
     fault.where.file = path;
     fault.what = what;
     fault.expected = kExpected;
     fault.remedy = remedy;
-    throw Unreadable(fault);
+    throw Unreadable(fault, kind);
 }
 
 bool begins_with(const std::vector<std::uint8_t>& bytes, std::string_view magic) {
@@ -46,7 +47,7 @@ std::size_t size_of_regular_file(const std::string& path, const Limits& limits) 
         refuse(path,
                "the file has " + std::to_string(size) + " bytes, more than the limit of " +
                    std::to_string(limits.file_bytes),
-               "make it smaller");
+               "make it smaller", FaultKind::limit);
     return static_cast<std::size_t>(size);
 }
 

@@ -69,9 +69,10 @@ OptionSpec read_option(const std::string& key, const Node& node, Diagnostics& fa
     reader.take("choices", spec.choices);
     reader.take("folder", spec.folder);
     reader.take("asset", spec.asset);
-    if (!spec.asset.empty() && (spec.asset != "mesh" || spec.type != OptionType::file))
+    if (!spec.asset.empty() && spec.asset != "target" &&
+        (spec.asset != "mesh" || spec.type != OptionType::file))
         faults.push_back({node.where, fmt::format("option '{}' has the asset '{}'", key, spec.asset),
-                          "\"mesh\", of an option of type file", ""});
+                          "\"mesh\", of an option of type file, or \"target\"", ""});
     reader.take("meaning", spec.meaning);
     reader.take("plan", spec.plan);
     if (spec.meaning.empty()) reader.missing("meaning");

@@ -7,6 +7,7 @@
 #include "baked/layout.hpp"
 #include "mesh_file.hpp"
 #include "orbweaver/fault.hpp"
+#include "target_file.hpp"
 #include "verify.hpp"
 
 using namespace orbweaver;
@@ -55,14 +56,25 @@ void walk(const mesh::SurfaceMesh& mesh) {
     static_cast<void>(keep);
 }
 
+void read_mesh(const std::string& path) {
+    const BakedFile file(path, mesh::kMeshType, mesh::kMeshVersion);
+    const mesh::SurfaceMesh mesh = mesh::mesh_in(file);
+    walk(mesh);
+    mesh::verify(mesh, mesh::validation_in(file), file.path());
+}
+
+void read_target(const std::string& path) {
+    const BakedFile file(path, inscription::kTargetType, inscription::kTargetVersion);
+    inscription::verify_target(file);
+}
+
 void read(std::span<const std::byte> bytes) {
     const MemoryFile memory(bytes);
-    try {
-        const BakedFile file(memory.path(), mesh::kMeshType, mesh::kMeshVersion);
-        const mesh::SurfaceMesh mesh = mesh::mesh_in(file);
-        walk(mesh);
-        mesh::verify(mesh, mesh::validation_in(file), file.path());
-    } catch (const Fault&) {
+    for (const auto& read_as : {read_mesh, read_target}) {
+        try {
+            read_as(memory.path());
+        } catch (const Fault&) {
+        }
     }
 }
 

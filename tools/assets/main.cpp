@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "bake.hpp"
+#include "baked_commands.hpp"
 #include "cli/picture_size.hpp"
 #include "cli/program.hpp"
 #include "mesh_commands.hpp"
@@ -10,6 +11,7 @@
 #include "output/atomic_file.hpp"
 #include "picture/png.hpp"
 #include "sky.hpp"
+#include "target_command.hpp"
 
 namespace {
 
@@ -55,12 +57,14 @@ int command_line(int argc, char** argv) {
     const InspectCommand inspect(app);
     const VerifyCommand verify(app);
     const MeshCommand mesh(app);
+    const TargetCommand target(app);
     try {
         app.parse(argc, argv);
         if (adjacency.parsed()) return adjacency.run();
         if (inspect.parsed()) return inspect.run();
         if (verify.parsed()) return verify.run();
         if (mesh.parsed()) return mesh.run();
+        if (target.parsed()) return target.run();
         if (bake->parsed()) return bake_scene(scene, modules);
         write_sky(output, size, seed);
     } catch (const CLI::ParseError& error) {

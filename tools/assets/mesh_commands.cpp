@@ -12,7 +12,6 @@
 #include "obj.hpp"
 #include "output/atomic_file.hpp"
 #include "shapes.hpp"
-#include "verify.hpp"
 
 namespace orbweaver {
 
@@ -79,31 +78,6 @@ mesh::Recipe AdjacencyCommand::recipe() const {
 int AdjacencyCommand::run() const {
     bake_mesh(source_, recipe(), {megabytes_ << 20, seconds_}, output_);
     fmt::print("{}", mesh_text(BakedFile(output_, mesh::kMeshType, mesh::kMeshVersion)));
-    return 0;
-}
-
-InspectCommand::InspectCommand(CLI::App& app)
-    : command_(app.add_subcommand("inspect",
-                                  "print what a baked file holds, and what validation found in its source")) {
-    command_->add_option("FILE", file_, "a file that this program baked")->required();
-    command_->add_flag("--json", json_, "for a program to read");
-}
-
-int InspectCommand::run() const {
-    const BakedFile file(file_, mesh::kMeshType, mesh::kMeshVersion);
-    fmt::print("{}", json_ ? mesh_json(file) : mesh_text(file));
-    return 0;
-}
-
-VerifyCommand::VerifyCommand(CLI::App& app)
-    : command_(app.add_subcommand("verify", "prove that a baked file is whole, and that all in it agrees")) {
-    command_->add_option("FILE", file_, "a file that this program baked")->required();
-}
-
-int VerifyCommand::run() const {
-    const BakedFile file(file_, mesh::kMeshType, mesh::kMeshVersion);
-    mesh::verify(mesh::mesh_in(file), mesh::validation_in(file), file_);
-    fmt::print("{}: sound\n", file_);
     return 0;
 }
 

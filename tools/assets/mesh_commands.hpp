@@ -29,31 +29,6 @@ private:
     std::size_t megabytes_ = 4096;
 };
 
-/// `orbweaver-assets inspect F [--json]`: what a baked file holds.
-class InspectCommand {
-public:
-    explicit InspectCommand(CLI::App& app);
-    bool parsed() const { return command_->parsed(); }
-    int run() const;
-
-private:
-    CLI::App* command_;
-    std::string file_;
-    bool json_ = false;
-};
-
-/// `orbweaver-assets verify F`: proves a baked file sound.
-class VerifyCommand {
-public:
-    explicit VerifyCommand(CLI::App& app);
-    bool parsed() const { return command_->parsed(); }
-    int run() const;
-
-private:
-    CLI::App* command_;
-    std::string file_;
-};
-
 /// `orbweaver-assets mesh NAME -o F.obj`: writes a mesh of our own.
 class MeshCommand {
 public:

@@ -1,10 +1,9 @@
 #include "mesh_cache.hpp"
 
 #include <catch2/catch.hpp>
-#include <cstdlib>
-#include <map>
 
 #include "baked/content_hash.hpp"
+#include "cache_environment.hpp"
 #include "mesh_file.hpp"
 #include "orbweaver/fault.hpp"
 #include "sample_meshes.hpp"
@@ -14,27 +13,6 @@ using namespace orbweaver;
 using namespace orbweaver::mesh;
 
 namespace {
-
-/// The variables that say where the cache is, put back in the end.
-class Environment {
-public:
-    Environment() {
-        for (const char* name : {"ORBWEAVER_CACHE", "XDG_CACHE_HOME", "HOME"}) {
-            const char* value = std::getenv(name);
-            before_[name] = value == nullptr ? "" : value;
-            ::unsetenv(name);
-        }
-    }
-    ~Environment() {
-        for (const auto& [name, value] : before_)
-            value.empty() ? ::unsetenv(name.c_str()) : ::setenv(name.c_str(), value.c_str(), 1);
-    }
-    Environment(const Environment&) = delete;
-    Environment& operator=(const Environment&) = delete;
-
-private:
-    std::map<std::string, std::string> before_;
-};
 
 void bake_into(const std::string& path, std::span<const Companion> companions = {}) {
     Validation validation;
@@ -48,20 +26,8 @@ void bake_into(const std::string& path, std::span<const Companion> companions = 
 
 }  // namespace
 
-TEST_CASE("the cache lies where the first of three variables says", "[unit]") {
-    const Environment environment;
-    CHECK_THROWS_WITH(cache_folder(),
-                      "there is no folder for baked meshes; set ORBWEAVER_CACHE or HOME to one");
-    ::setenv("HOME", "/h", 1);
-    CHECK(cache_folder() == "/h/.cache/orbweaver");
-    ::setenv("XDG_CACHE_HOME", "/x", 1);
-    CHECK(cache_folder() == "/x/orbweaver");
-    ::setenv("ORBWEAVER_CACHE", "/o", 1);
-    CHECK(cache_folder() == "/o");
-}
-
 TEST_CASE("another source or another recipe has another place, another name of the source has not", "[unit]") {
-    const Environment environment;
+    const test::CacheEnvironment environment;
     const test::Scratch folder;
     ::setenv("ORBWEAVER_CACHE", folder.path("cache").c_str(), 1);
     const std::string source = folder.write("a.obj", "v 0 0 0\n");
@@ -74,7 +40,7 @@ TEST_CASE("another source or another recipe has another place, another name of t
 }
 
 TEST_CASE("a mesh is found once it is baked, until a companion of its source changes", "[unit]") {
-    const Environment environment;
+    const test::CacheEnvironment environment;
     const test::Scratch folder;
     ::setenv("ORBWEAVER_CACHE", folder.path("cache").c_str(), 1);
     const std::string source = folder.write("m.gltf", "source");
@@ -97,7 +63,7 @@ TEST_CASE("a mesh is found once it is baked, until a companion of its source cha
 }
 
 TEST_CASE("a baked file is opened as it is, a damaged one in the cache is as good as none", "[unit]") {
-    const Environment environment;
+    const test::CacheEnvironment environment;
     const test::Scratch folder;
     ::setenv("ORBWEAVER_CACHE", folder.path("").c_str(), 1);
     bake_into(folder.path("m.baked"));

@@ -1,5 +1,6 @@
 #include "picture/decode.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -39,6 +40,16 @@ std::string jpeg() {
     return j + std::string("\x3f\xff\xd9", 3);
 }
 
+/// Three black pixels in a row, of alpha 0, 128 and 255, as Python's zlib packs them.
+std::string see_through_png() {
+    constexpr std::array<unsigned char, 81> kBytes = {
+        137, 80,  78,  71, 13,  10,  26, 10, 0,  0,   0,  13,  73, 72, 68,  82, 0,  0,  0,   3,  0,
+        0,   0,   1,   8,  6,   0,   0,  0,  27, 224, 20, 180, 0,  0,  0,   24, 73, 68, 65,  84, 120,
+        1,   1,   13,  0,  242, 255, 0,  0,  0,  0,   0,  0,   0,  0,  128, 0,  0,  0,  255, 3,  140,
+        1,   128, 237, 78, 4,   65,  0,  0,  0,  0,   73, 69,  78, 68, 174, 66, 96, 130};
+    return {kBytes.begin(), kBytes.end()};
+}
+
 std::string with_png_size(std::string bytes, std::uint32_t width, std::uint32_t height) {
     for (std::size_t i = 0; i < 4; ++i) {
         bytes[16 + i] = static_cast<char>(width >> (24 - 8 * i));
@@ -51,7 +62,8 @@ std::string refusal(const std::string& path, const picture::Limits& limits = {})
     try {
         decode(path, limits);
     } catch (const picture::Unreadable& e) {
-        CHECK(e.kind() == FaultKind::invalid);
+        const bool beyond = e.diagnostic().what.find("more than the limit") != std::string::npos;
+        CHECK(e.kind() == (beyond ? FaultKind::limit : FaultKind::invalid));
         CHECK(e.diagnostic().where.file == path);
         return e.diagnostic().what;
     }
@@ -81,6 +93,31 @@ TEST_CASE("a PNG's light is that of its sRGB shades", "[unit]") {
     CHECK_FALSE(light.high_dynamic_range);
     for (std::size_t i = 0; i < shades.rgb.size(); ++i)
         CHECK(light.rgb[i] == picture::linear_from_byte()[shades.rgb[i]]);
+}
+
+TEST_CASE("grays stay as they are, colors become their luma, and what is transparent shows white paper",
+          "[unit]") {
+    const test::Scratch scratch;
+    std::vector<std::uint8_t> grays(3 * 256);
+    for (std::size_t i = 0; i < grays.size(); ++i) grays[i] = static_cast<std::uint8_t>(i / 3);
+    const auto ramp = picture::encode_png(256, 1, grays);
+    const auto shades =
+        picture::decode_gray(scratch.write("ramp.png", std::string(ramp.begin(), ramp.end()))).shades;
+    REQUIRE(shades.size() == 256);
+    for (std::size_t i = 0; i < 256; ++i) CHECK(shades[i] == i);
+    const auto colors = picture::encode_png(3, 1, std::vector<std::uint8_t>{255, 0, 0, 0, 255, 0, 0, 0, 255});
+    const auto lumas =
+        picture::decode_gray(scratch.write("rgb.png", std::string(colors.begin(), colors.end()))).shades;
+    CHECK(lumas == std::vector<std::uint8_t>{54, 182, 19});  // 255 x (0.2126, 0.7152, 0.0722), within 1
+    const std::string clear = see_through_png();
+    CHECK(picture::decode_gray(scratch.write("alpha.png", clear)).shades ==
+          std::vector<std::uint8_t>{255, 127, 0});
+}
+
+TEST_CASE("a Radiance picture's gray is its light as sRGB codes it", "[unit]") {
+    const test::Scratch scratch;
+    const auto gray = picture::decode_gray(scratch.write("a.hdr", hdr(2, 2, "\x80\x80\x80\x80")));  // 1/2
+    CHECK(gray.shades == std::vector<std::uint8_t>(4, 188));
 }
 
 TEST_CASE("a JPEG is read", "[unit]") {

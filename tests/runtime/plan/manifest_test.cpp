@@ -127,8 +127,10 @@ TEST_CASE("a manifest that is wrong says where and how", "[extreme]") {
         {"option asset",
          "id = \"a\"\nversion = \"1\"\n[options.x]\ntype = \"text\"\nasset = \"mesh\"\nmeaning = \"m\"\n"
          "[options.y]\ntype = \"file\"\nasset = \"song\"\nmeaning = \"m\"\n",
-         {"m.toml:3:1: option 'x' has the asset 'mesh'; expected \"mesh\", of an option of type file",
-          "m.toml:7:1: option 'y' has the asset 'song'; expected \"mesh\", of an option of type file"}},
+         {"m.toml:3:1: option 'x' has the asset 'mesh'; expected \"mesh\", of an option of type file, or "
+          "\"target\"",
+          "m.toml:7:1: option 'y' has the asset 'song'; expected \"mesh\", of an option of type file, or "
+          "\"target\""}},
         {"default of a name of the scene's",
          "id = \"a\"\nversion = \"1\"\n[options.\"m.*.x\"]\ntype = \"number\"\ndefault = 1\nmeaning = \"m\"\n",
          {"m.toml:3:1: option 'm.*.x' has a default or is required; expected neither, of an option whose name "

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "obj.hpp"
+#include "pictures.hpp"
 #include "shapes.hpp"
 #include "support/program.hpp"
 
@@ -11,14 +12,20 @@ using test::run_assets;
 
 namespace {
 
-/// A scene that asks for a mesh through a module of which there is nothing but the manifest, and a cache of its
-/// own.
+/// A scene that asks for a mesh through a module of which there is nothing but the manifest, another such
+/// module for inscriptions, and a cache of its own.
 class Stage {
 public:
     Stage() {
         folder_.write("modules/walker.toml",
                       "id = \"walker\"\nversion = \"1\"\ntable = \"walker\"\nseveral = true\n"
                       "[options.mesh]\ntype = \"file\"\nasset = \"mesh\"\nmeaning = \"what it walks on\"\n");
+        folder_.write("modules/scribe.toml",
+                      "id = \"scribe\"\nversion = \"1\"\ntable = \"inscription\"\n"
+                      "[options.target]\ntype = \"file\"\nasset = \"target\"\nmeaning = \"a picture\"\n"
+                      "[options.text]\ntype = \"text\"\nasset = \"target\"\nmeaning = \"words\"\n"
+                      "[options.gaps]\ntype = \"number\"\nasset = \"target\"\nmeaning = \"a share\"\n"
+                      "[options.invert]\ntype = \"boolean\"\nmeaning = \"what is bright\"\n");
         ::setenv("ORBWEAVER_CACHE", cache().c_str(), 1);
         write_mesh(mesh::cube(1, 2));
         write_scene("[[walker]]\nmesh = \"m.obj\"\n");
@@ -95,4 +102,43 @@ TEST_CASE("every mesh that cannot be baked is a fault with its place in the scen
                    stage.folder().path("scene.toml") + ":4:8: " + stage.folder().path("bad.obj") + ": "));
     CHECK(contains(outcome.out, "[2/2] walker.2.mesh: "));
     CHECK(stage.cached().size() == 1);
+}
+
+TEST_CASE("what is to be inscribed is baked once for each recipe, from words, a picture or gaps", "[unit]") {
+    const Stage stage;
+    stage.write_scene("[inscription]\ntext = \"SOME\\nPIG\"\ngaps = 0.1\n");
+    const auto words = stage.bake();
+    REQUIRE(words.code == 0);
+    REQUIRE(stage.cached().size() == 1);  // words and gaps are one target
+    CHECK(contains(words.out, "[1/1] inscription.text: 600 x 600 pixels, baked: " + stage.cache() + "/"));
+    CHECK(contains(stage.bake().out, "pixels, baked before: "));
+    stage.folder().write("p.png", test::gray_png(9, 9, [](int x, int) { return x < 4 ? 0 : 255; }));
+    stage.write_scene("[inscription]\ntarget = \"p.png\"\n");
+    CHECK(contains(stage.bake().out, ": " + stage.folder().path("p.png") + ": 600 x 600 pixels, baked: "));
+    stage.write_scene("[inscription]\ntarget = \"p.png\"\ninvert = true\n");
+    CHECK(contains(stage.bake().out, ", baked: "));
+    CHECK(stage.cached().size() == 3);
+    REQUIRE(run_assets({"target", "--text", "A", "-o", stage.folder().path("a.baked")}).code == 0);
+    stage.write_scene("[inscription]\ntarget = \"a.baked\"\n");
+    CHECK(contains(stage.bake().out, ": 600 x 600 pixels, baked, read as it is"));
+    CHECK(stage.cached().size() == 3);
+}
+
+TEST_CASE("what cannot be inscribed is a fault with its place in the scene", "[unit]") {
+    const Stage stage;
+    const std::string scene = stage.folder().path("scene.toml");
+    stage.folder().write("p.png", "not a picture");
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"text = \"\\u6f22\"\n", ":4:8: "},
+        {"text = \"\"\n", ":4:8: the text is empty"},
+        {"target = \"p.png\"\n", ":4:10: the file's first bytes are those of no picture format"},
+        {"target = \"p.png\"\ntext = \"A\"\n", "both 'target' and 'text' are given"}};
+    for (const auto& [option, sentence] : cases) {
+        stage.write_scene("[inscription]\n" + option);
+        const auto outcome = stage.bake();
+        INFO(outcome.err);
+        CHECK(outcome.code == 3);
+        CHECK(contains(outcome.err, scene + ":4:"));
+        CHECK(contains(outcome.err, sentence));
+    }
 }
