@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "creature.hpp"
 #include "creature_numbers.hpp"
+#include "leg_ways.hpp"
 #include "manifest_text.hpp"
 #include "neighbors.hpp"
 #include "orbweaver/contracts/threads.hpp"
@@ -61,6 +63,8 @@ public:
         if (!place(host)) return;
         keep_state();
         host.provide<Threads>(*this);
+        ways_.emplace(species_);
+        host.provide<ReachWays>(*ways_);
     }
 
     void run(Phase, const orbweaver::Frame& frame) override {
@@ -178,6 +182,7 @@ private:
     }
 
     Species species_;
+    std::optional<LegWays> ways_;
     Conduct conduct_;
     const Surface* surface_ = nullptr;
     Workers* workers_ = nullptr;
