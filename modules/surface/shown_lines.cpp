@@ -13,6 +13,12 @@ constexpr double kFineness = 1e-2;  // of the surface's size: pieces of a line, 
 constexpr double kPieces = 10'000;  // at most, of one line
 constexpr double kAbove = 2e-3;     // of the size, so that a face does not hide what lies on it
 
+void report(Host& host, const std::string& name, const char* key, const std::string& what,
+            const char* expected) {
+    const Location where = host.options().where("line." + name + "." + key);
+    host.report_fault({where, "line '" + name + "' " + what, expected, ""});
+}
+
 }  // namespace
 
 std::span<const std::string_view> ShownLines::kinds() const noexcept {
@@ -24,13 +30,10 @@ void ShownLines::draw(const Surface& surface, Host& host) {
     const Options& options = host.options();
     for (const std::string& name : options.names_in("line")) {
         const std::string prefix = "line." + name + ".";
-        const auto fault = [&](const char* key, const std::string& what, const char* expected) {
-            host.report_fault({options.where(prefix + key), "line '" + name + "' " + what, expected, ""});
-        };
         bool whole = true;
         for (const char* key : {"from", "along", "length"}) {
             if (options.has(prefix + key)) continue;
-            fault(key, std::string("has no '") + key + "'", "'from', 'along' and 'length'");
+            report(host, name, key, std::string("has no '") + key + "'", "'from', 'along' and 'length'");
             whole = false;
         }
         if (!whole) continue;
@@ -42,7 +45,7 @@ void ShownLines::draw(const Surface& surface, Host& host) {
         if (placed.answer == Answer::found)
             walk(surface, placed.end, options.number(prefix + "length"));
         else
-            fault("along", "points out of the surface", "a direction along it");
+            report(host, name, "along", "points out of the surface", "a direction along it");
     }
 }
 
