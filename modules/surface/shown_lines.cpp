@@ -50,10 +50,11 @@ void ShownLines::draw(const Surface& surface, Host& host) {
 }
 
 void ShownLines::walk(const Surface& surface, Footing at, double length) {
-    const double pieces = std::clamp(std::ceil(length / (kFineness * surface.size()) - 1e-9), 1.0, kPieces);
+    const double wanted = std::ceil(length / (kFineness * surface.size()) - 1e-9);
+    const int pieces = static_cast<int>(std::clamp(wanted, 1.0, kPieces));
     const auto keep = [&] { points_.push_back(at.position + kAbove * surface.size() * at.up); };
     keep();
-    for (double i = 0; i < pieces; ++i) {
+    for (int i = 0; i < pieces; ++i) {
         const SurfaceStep step = surface.step(at, length / pieces);
         if (step.answer != Answer::found) return;
         at = step.end;
