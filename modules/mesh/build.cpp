@@ -160,8 +160,7 @@ SurfaceMeshData build_surface_mesh(const RawMesh& raw, const Recipe& recipe, con
              return is_duplicate[t] != 0;
          });
     if (cut.triangles.empty())
-        throw Fault(FaultKind::invalid,
-                    name + ": no polygon of the mesh has an area; scale it up or export it again");
+        throw Fault(FaultKind::invalid, name + ": no polygon of the mesh has an area; export it again");
 
     SurfaceMeshData mesh;
     mesh.vertices = number_vertices(raw, cut.triangles);

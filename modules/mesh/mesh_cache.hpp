@@ -28,7 +28,8 @@ std::string cached_path(const std::string& source, const Recipe& recipe);
 std::optional<BakedFile> find_cached(const std::string& source, const Recipe& recipe);
 
 /// A mesh to be walked on: a baked file itself, or what `orbweaver-assets bake SCENE` made from a source.
-/// Throws Fault(invalid) for one that is not baked yet, and says how.
+/// Throws Fault(invalid) for one that is not baked yet, or of which the cache holds something damaged or
+/// outdated, and says how it is made.
 BakedFile open_mesh(const std::string& path);
 
 }  // namespace orbweaver::mesh

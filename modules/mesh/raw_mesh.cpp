@@ -37,9 +37,10 @@ void check(const RawMesh& raw, const std::string& name) {
     for (std::size_t i = 0; i < raw.points.size(); ++i) {
         const Vec3& p = raw.points[i];
         if (!is_near(p.x) || !is_near(p.y) || !is_near(p.z))
-            refuse(name, "point " + std::to_string(i) + " is (" + std::to_string(p.x) + ", " +
-                             std::to_string(p.y) + ", " + std::to_string(p.z) +
-                             "); expected finite coordinates within 1e50 m");
+            refuse(name,
+                   "point " + std::to_string(i) + " is (" + std::to_string(p.x) + ", " + std::to_string(p.y) +
+                       ", " + std::to_string(p.z) +
+                       "); expected finite coordinates within 1e50 m, so scale it down or export it again");
     }
     check_polygons(raw, name);
     for (std::size_t c = 0; c < raw.corners.size(); ++c)

@@ -30,7 +30,8 @@ struct Validation {
     std::uint32_t first_nonmanifold_vertex = kNone;  ///< vertex
     std::uint32_t first_flipped = kNone;             ///< triangle
     std::uint32_t first_t_junction = kNone;          ///< vertex
-    std::uint32_t reserved = 0;
+    /// Source polygons that the importer's precision may have misshaped: whoever imports says so.
+    std::uint32_t rounded_polygons = 0;
 
     friend bool operator==(const Validation&, const Validation&) = default;
 };

@@ -6,6 +6,7 @@
 
 #include "creature.hpp"
 #include "creature_numbers.hpp"
+#include "leg_ways.hpp"
 #include "manifest_text.hpp"
 #include "neighbors.hpp"
 #include "orbweaver/contracts/threads.hpp"
@@ -69,6 +70,8 @@ public:
         if (!place(host)) return;
         keep_state();
         host.provide<Threads>(*this);
+        ways_.emplace(species_);
+        host.provide<ReachWays>(*ways_);
     }
 
     void run(Phase, const orbweaver::Frame& frame) override {
@@ -203,6 +206,7 @@ private:
 
     Species species_;
     std::optional<LegLanes> lanes_;
+    std::optional<LegWays> ways_;
     Conduct conduct_;
     const Surface* surface_ = nullptr;
     Workers* workers_ = nullptr;

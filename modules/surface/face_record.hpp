@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "large_pages.hpp"
 #include "orbweaver/lanes.hpp"
 #include "triangle_set.hpp"
 
@@ -42,8 +43,9 @@ struct alignas(32) FaceRecord {
 static_assert(sizeof(FaceRecord) == 96);
 
 /// A record a face, in their order; `across` holds as many.
-inline std::vector<FaceRecord> face_records(const TriangleSet& set, std::span<const Corners> across) {
-    std::vector<FaceRecord> records;
+using FaceRecords = std::vector<FaceRecord, LargePages<FaceRecord>>;
+inline FaceRecords face_records(const TriangleSet& set, std::span<const Corners> across) {
+    FaceRecords records;
     records.reserve(set.triangles.size());
     for (std::uint32_t face = 0; face < set.triangles.size(); ++face)
         records.push_back({rows_of(set, face), across[face]});

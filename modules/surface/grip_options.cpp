@@ -76,18 +76,20 @@ private:
         grips_.patches.push_back(grip);
         names_.push_back(name);
         auto& all = grips_.patched;
-        for (const auto& [first, last] : ranges)
-            for (std::uint32_t polygon = first; polygon <= last; ++polygon) all.emplace_back(polygon, patch);
-        std::sort(all.begin(), all.end());
-        all.erase(std::unique(all.begin(), all.end()), all.end());
-        const auto twice = std::adjacent_find(all.begin(), all.end(),
-                                              [](const auto& a, const auto& b) { return a.first == b.first; });
+        const auto before = static_cast<std::ptrdiff_t>(all.size());
+        for (const auto& [first, last] : ranges) all.push_back({first, last, patch});
+        std::inplace_merge(all.begin(), all.begin() + before, all.end(),
+                           [](const PatchedRange& a, const PatchedRange& b) { return a.first < b.first; });
+        const auto twice =
+            std::adjacent_find(all.begin(), all.end(),
+                               [](const PatchedRange& a, const PatchedRange& b) { return b.first <= a.last; });
         if (twice == all.end()) return;
+        const auto& [one, other] = std::minmax(twice->patch, (twice + 1)->patch);
         host_.report_fault({where("patch." + name + "."),
-                            "polygon " + std::to_string(twice->first) + " is in patch '" +
-                                names_[twice->second] + "' and in patch '" + names_[(twice + 1)->second] + "'",
+                            "polygon " + std::to_string((twice + 1)->first) + " is in patch '" + names_[one] +
+                                "' and in patch '" + names_[other] + "'",
                             "patches that do not overlap", ""});
-        std::erase_if(all, [&](const auto& each) { return each.second == patch; });
+        std::erase_if(all, [&](const PatchedRange& each) { return each.patch == patch; });
     }
 
     const mesh::SurfaceMesh& mesh_;

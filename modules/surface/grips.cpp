@@ -32,6 +32,21 @@ std::optional<std::uint32_t> take_number(std::string_view& text) {
     return number;
 }
 
+/// Ascending, each polygon once.
+std::vector<PolygonRange> merged(std::vector<PolygonRange> ranges) {
+    std::sort(ranges.begin(), ranges.end());
+    std::size_t kept = 0;
+    for (const PolygonRange& range : ranges) {
+        PolygonRange& before = ranges[kept];
+        if (range.first <= before.second || range.first - before.second == 1)
+            before.second = std::max(before.second, range.second);
+        else
+            ranges[++kept] = range;
+    }
+    ranges.resize(kept + 1);
+    return ranges;
+}
+
 }  // namespace
 
 SurfaceGrip GripOverrides::grip(const mesh::SurfaceMesh& mesh, std::uint32_t face) const noexcept {
@@ -41,8 +56,9 @@ SurfaceGrip GripOverrides::grip(const mesh::SurfaceMesh& mesh, std::uint32_t fac
     apply(all, grip);
     if (property < materials.size()) apply(materials[property], grip);
     const std::uint32_t polygon = mesh.polygon[face];
-    const auto patch = std::lower_bound(patched.begin(), patched.end(), std::pair{polygon, 0U});
-    if (patch != patched.end() && patch->first == polygon) apply(patches[patch->second], grip);
+    const auto range = std::partition_point(patched.begin(), patched.end(),
+                                            [&](const PatchedRange& each) { return each.last < polygon; });
+    if (range != patched.end() && range->first <= polygon) apply(patches[range->patch], grip);
     return grip;
 }
 
@@ -56,7 +72,7 @@ std::optional<std::vector<PolygonRange>> parse_polygons(std::string_view text) {
     } while (take(text, ','));
     skip_spaces(text);
     if (!text.empty()) return std::nullopt;
-    return ranges;
+    return merged(std::move(ranges));
 }
 
 }  // namespace orbweaver::surface

@@ -18,7 +18,7 @@ public:
         : baked_(baked),
           tree_([set = triangles_of(mesh)] { return std::make_unique<const Built>(set); }),
           faces_([mesh] {
-              return std::make_unique<const Records>(face_records(triangles_of(mesh), mesh.across));
+              return std::make_unique<const FaceRecords>(face_records(triangles_of(mesh), mesh.across));
           }) {}
 
     /// Null when there was no memory for it.
@@ -30,7 +30,7 @@ public:
 
     /// One a face; null when there was no memory for them.
     const FaceRecord* faces() const noexcept {
-        const Records* records = faces_.get();
+        const FaceRecords* records = faces_.get();
         return records == nullptr ? nullptr : records->data();
     }
 
@@ -41,12 +41,11 @@ public:
         return built == nullptr ? 0 : built->data.memory_bytes();
     }
     std::size_t faces_bytes() const noexcept {
-        const Records* records = faces_.made();
+        const FaceRecords* records = faces_.made();
         return records == nullptr ? 0 : records->capacity() * sizeof(FaceRecord);
     }
 
 private:
-    using Records = std::vector<FaceRecord>;
     struct Built {
         explicit Built(const TriangleSet& set) : data(build_wide_tree(set)), tree(data.view()) {}
         WideTreeData data;
@@ -55,7 +54,7 @@ private:
 
     std::optional<WideTree> baked_;
     OnDemand<Built> tree_;
-    OnDemand<Records> faces_;
+    OnDemand<FaceRecords> faces_;
 };
 
 }  // namespace orbweaver::surface

@@ -12,6 +12,7 @@
 #include "mesh_ways.hpp"
 #include "orbweaver/entry.hpp"
 #include "shapes.hpp"
+#include "shown_lines.hpp"
 #include "tree_file.hpp"
 #include "walker.hpp"
 
@@ -99,6 +100,8 @@ public:
         ways_.emplace(*surface_);
         host.provide<Surface>(*surface_);
         host.provide<SurfaceWays>(*ways_);
+        lines_.draw(*surface_, host);
+        host.provide<Threads>(lines_);
     }
 
     void run(Phase, const Frame&) override {
@@ -146,6 +149,7 @@ private:
     std::optional<PlacedMesh> placed_;
     std::optional<MeshSurface> surface_;
     std::optional<MeshWays> ways_;
+    ShownLines lines_;
 };
 
 }  // namespace

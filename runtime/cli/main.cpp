@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
-#include <map>
 #include <string>
 
 #include "cli/modules_command.hpp"
+#include "cli/output_places.hpp"
 #include "cli/picture_size.hpp"
 #include "cli/program.hpp"
 #include "cli/scene_arguments.hpp"
@@ -61,37 +60,6 @@ void add_run_options(CLI::App& command, CommandLine& line) {
                        "write the last good state, for --restore-state");
     command.add_option("--restore-state", settings.restore_state_file, "go on from a saved state");
     command.add_flag("--quiet", settings.quiet, "no progress, no closing lines");
-}
-
-// Two files of one name would overwrite each other.
-void check_outputs(const RunSettings& settings) {
-    const std::pair<const char*, const std::string&> outputs[] = {{"--video", settings.request.video_file},
-                                                                  {"--telemetry", settings.telemetry_file},
-                                                                  {"--report", settings.report_file},
-                                                                  {"--save-state", settings.save_state_file}};
-    const auto place = [](const std::string& path) {
-        std::error_code ignored;
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
-    };
-    const auto refuse = [](const char* option, const std::string& path, const char* other) {
-        throw CLI::ValidationError(option,
-                                   fmt::format("'{}' is a file that {} writes; name another", path, other));
-    };
-    for (const auto& [option, path] : outputs)
-        if (std::error_code ignored;
-            !path.empty() && std::filesystem::equivalent(path, settings.scene_path, ignored))
-            throw CLI::ValidationError(option, fmt::format("'{}' is the scene; name another", path));
-    const std::string& trajectory = settings.trajectory_directory;
-    std::map<std::filesystem::path, const char*> taken;
-    for (const auto& [option, path] : outputs) {
-        if (path.empty()) continue;
-        const auto file = place(path);
-        const auto [before, is_new] = taken.emplace(file, option);
-        if (!is_new) refuse(option, path, before->second);
-        if (!trajectory.empty() && file.parent_path() == place(trajectory + "/.").parent_path() &&
-            (file.extension() == ".npy" || file.filename() == "trajectory.json"))
-            refuse(option, path, "--trajectory");
-    }
 }
 
 void complete(CommandLine& line) {

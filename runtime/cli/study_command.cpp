@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kMeaning =
     "study how wrong a scene's methods of integration are against what they cost (accuracy), where they hold "
-    "(stability), or the same of ways to ask its surface (queries)";
+    "(stability), or the same of ways to ask its surface (queries) or to bring limbs to targets (ik)";
 
 constexpr const char* kHelp = R"(
 accuracy   runs every method over a ladder of steps or tolerances, against a reference that a second method
@@ -23,6 +23,11 @@ queries    asks the scene's surface the same seeded questions by every way there
            at edges, the polygon under bodies that walk, and under bodies just beyond an edge; against every triangle
            in extended precision. Leaves queries.csv (questions,way,asked,missed,invented,error_m,median_error_m,
            cost_s), queries.json, queries.svg and index.html in DIR. --method names a way.
+
+ik         has the limbs of a scene's creatures, or of a species by its name, reach for the same targets by every way
+           there is, over tolerances and over steps: feet on their loops, and places anywhere within reach. Leaves ik.csv
+           (targets,way,setting,asked,missed,invented,error,median_error,cost_s), ik.json, ik.svg and index.html in DIR.
+           --method names a way.
 
 An axis is any option of the scene, PATH=LOW..HIGH:COUNT, such as web.step=10us..20ms:16 or web.drag=0..1e-6:11:lin,
 or a list, PATH=A,B,..., such as web.prestress=force_density,over_extension; without --axis the step and the module's
@@ -40,9 +45,9 @@ bool is_span(const std::string& text) {
 
 StudyCommand::StudyCommand(CLI::App& app) : command_(app.add_subcommand("study", kMeaning)) {
     command_->footer(kHelp);
-    command_->add_option("KIND", kind_, "accuracy, stability or queries")
+    command_->add_option("KIND", kind_, "accuracy, stability, queries or ik")
         ->required()
-        ->check(CLI::IsMember({"accuracy", "stability", "queries"}));
+        ->check(CLI::IsMember({"accuracy", "stability", "queries", "ik"}));
     scene_.add_to(*command_, settings_.run);
     command_->add_option("--out", settings_.out, "folder for the results; it is made")
         ->required()
@@ -67,7 +72,7 @@ StudyCommand::StudyCommand(CLI::App& app) : command_(app.add_subcommand("study",
                         "200 values"));
     repeats_ = command_
                    ->add_option("--repeats", settings_.repeats,
-                                "accuracy, queries: timed runs, the median of which counts")
+                                "accuracy, queries, ik: timed runs, the median of which counts")
                    ->check(CLI::Range(1, 99))
                    ->capture_default_str();
     command_->add_option("--time", time_, "most wall clock time for all of it; refinement stops there (5 min)")
@@ -86,6 +91,8 @@ void StudyCommand::complete() {
     if (stability && repeats_->count() > 0) throw CLI::ValidationError("--repeats", "a map is not timed");
     if (kind_ == "queries" && references_->count() > 0)
         throw CLI::ValidationError("--references", "queries are held against every triangle");
+    if (kind_ == "ik" && references_->count() > 0)
+        throw CLI::ValidationError("--references", "limbs are held against their own geometry");
     if (axes_.size() > 2) throw CLI::ValidationError("--axis", "a map has two; leave one out");
     if (axes_.size() == 2 && study::parse_axis(axes_[0])->path == study::parse_axis(axes_[1])->path)
         throw CLI::ValidationError(
@@ -102,6 +109,10 @@ int StudyCommand::run() const {
     }
     if (kind_ == "queries") {
         study::run_queries(settings_);
+        return 0;
+    }
+    if (kind_ == "ik") {
+        study::run_reaches(settings_);
         return 0;
     }
     std::vector<study::AxisText> axes;

@@ -12,5 +12,8 @@ namespace orbweaver::study {
 void run_accuracy(const StudySettings& settings);
 void run_stability(const StudySettings& settings, const std::vector<AxisText>& axes);
 void run_queries(const StudySettings& settings);
+/// Of a scene, or of a name: the scene assets/studies/ik.toml with that in place of what its module is called
+/// by.
+void run_reaches(const StudySettings& settings);
 
 }  // namespace orbweaver::study

@@ -6,15 +6,16 @@
 #include <string>
 
 #include "foot_paths.hpp"
+#include "leg_lanes.hpp"
+#include "species_legs.hpp"
 
 namespace {
 
 using namespace orbweaver;
 using namespace orbweaver::spider;
-using orbweaver::spider::test::FootPaths;
 
 const FootPaths& paths() {
-    static const FootPaths made("huntsman", 0.01);
+    static const FootPaths made(spider::test::species_legs("huntsman"), 0.01);
     return made;
 }
 
@@ -29,22 +30,22 @@ void count_legs(benchmark::State& state, std::size_t legs, std::size_t reached) 
 void one_by_one(benchmark::State& state, const LegSolver& solver, bool cold) {
     const FootPaths& all = paths();
     std::vector<LegPose> poses;
-    for (const Leg& leg : all.legs) poses.push_back(rest_pose(leg));
+    for (const Leg& leg : all.legs()) poses.push_back(rest_pose(leg));
     std::size_t t = 0, reached = 0;
     for (auto _ : state) {
-        for (std::size_t i = 0; i < all.legs.size(); ++i) {
-            if (cold) poses[i] = rest_pose(all.legs[i]);
+        for (std::size_t i = 0; i < all.legs().size(); ++i) {
+            if (cold) poses[i] = rest_pose(all.legs()[i]);
             const LegTarget& target = all.at(cold, i, t);
-            reached += solver.solve(all.legs[i], target, {}, poses[i]).answer == LegAnswer::reached;
+            reached += solver.solve(all.legs()[i], target, {}, poses[i]).answer == LegAnswer::reached;
         }
         t = (t + 1) % FootPaths::kTimes;
     }
-    count_legs(state, all.legs.size(), reached);
+    count_legs(state, all.legs().size(), reached);
 }
 
 void in_lanes(benchmark::State& state, const LaneKernel& kernel, bool cold) {
     const FootPaths& all = paths();
-    const LegLanes lanes(all.legs, kernel);
+    const LegLanes lanes(all.legs(), kernel);
     std::vector<double> angles(lanes.angle_count()), targets(lanes.target_count());
     std::vector<LegResult> results(lanes.size());
     for (std::size_t i = 0; i < lanes.size(); ++i) lanes.set_pose(angles, i, rest_pose(lanes.leg(i)));

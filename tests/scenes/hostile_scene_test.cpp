@@ -9,6 +9,11 @@ using namespace orbweaver;
 
 namespace {
 
+std::string read_file(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
 struct Hostile {
     const char* name;
     const char* scene;
@@ -112,6 +117,31 @@ TEST_CASE("outputs that cannot be written end the run in words and leave nothing
     const Outcome full =
         run_program("run " + scene_path("strand") + " --duration 0.2 --quiet --telemetry /dev/full/x.csv");
     CHECK(full.code == 1);
+}
+
+TEST_CASE("an output never takes the place of what the scene reads", "[extreme]") {
+    const Folder folder("hostile");
+    const std::string network = R"({"particles": [[0,0,0],[1,0,0]], "masses": 1, "fixed": [0],
+                                    "springs": [[0,1,1,10,0]]})";
+    const std::string net = folder.write("trajectory.json", network);
+    const std::string sky = folder.write("sky.png", "no picture");
+    const std::string scene = folder.write("s.toml",
+                                           "[scene]\nduration = 0.1\n[web]\nnetwork = \"trajectory.json\"\n"
+                                           "[view]\nsky = \"sky.png\"\n");
+    for (const char* option : {"--report", "--telemetry", "--save-state"})
+        for (const std::string& path : {net, folder.path("./trajectory.json"), scene}) {
+            const Outcome outcome = run_program("run " + scene + " " + option + " " + path);
+            CAPTURE(outcome.text);
+            CHECK(outcome.code == 2);
+            CHECK(outcome.text.find(std::string(option) + ": '" + path + "' is " +
+                                    (path == scene ? "the scene" : "what 'web.network' of the scene reads") +
+                                    "; name another") != std::string::npos);
+        }
+    CHECK(run_program("run " + scene + " --trajectory " + folder.path("")).code == 2);
+    CHECK(run_program("run " + scene + " --frames " + folder.path("f") + " --video " + sky).code == 2);
+    CHECK(read_file(net) == network);
+    CHECK(read_file(sky) == "no picture");
+    CHECK(run_program("run " + scene + " --quiet --report " + folder.path("r.json")).code == 0);
 }
 
 TEST_CASE("a file-size limit stops a trajectory with exit code 5 and no file under its final name",

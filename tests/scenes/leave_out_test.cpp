@@ -84,6 +84,7 @@ Names mapped_by(const std::string& scene, const Request& request) {
 TEST_CASE("headless, a scene maps its own physics and nothing else", "[scene]") {
     const std::map<std::string, Names> expected = {
         {"cliff", {"surface", "web", "wind"}},
+        {"geodesics", {"surface"}},
         {"huntsman_cube", {"spider", "surface"}},
         {"huntsman_room", {"spider", "surface"}},
         {"meadow", {"web", "wind"}},

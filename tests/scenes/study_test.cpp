@@ -107,6 +107,30 @@ TEST_CASE("winds and materials are axes by their names", "[scene]") {
     CHECK(winds.axes.y.own == 0);
 }
 
+TEST_CASE("a species is studied by its name, and as the scene has it", "[scene]") {
+    const test::Scratch folder;
+    StudySettings settings;
+    settings.run.module_directories = {ORBWEAVER_MODULE_DIR};
+    settings.run.quiet = true;
+    settings.repeats = 1;
+    settings.methods = {"half_jacobian_lanes"};
+    settings.out = folder.path("out");
+    const auto page_of = [&](const std::string& scene) {
+        settings.run.scene_path = scene;
+        run_reaches(settings);
+        std::stringstream page;
+        page << std::ifstream(folder.path("out/index.html")).rdbuf();
+        return page.str();
+    };
+    CHECK_THAT(page_of("ant"),
+               Catch::Contains("<title>ant: reach of 6 limbs</title>") &&
+                   Catch::Contains("cold: within 1e-08 of a limb's length: half_jacobian_lanes "));
+    CHECK_THAT(page_of(scene_path("huntsman_cube")), Catch::Contains("reach of 8 limbs</title>"));
+    settings.run.scene_path = "huntsmann";
+    CHECK_THROWS_WITH(run_reaches(settings), Catch::Contains("there is no species 'huntsmann'") &&
+                                                 Catch::Contains("did you mean \"huntsman\"?"));
+}
+
 TEST_CASE("queries of a surface are answered by every module that can, FCL's too", "[scene]") {
     const test::Scratch folder;
     StudySettings settings;

@@ -1,9 +1,12 @@
 #include "bake_mesh.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <filesystem>
 
 #include "baked/content_hash.hpp"
 #include "import_mesh.hpp"
+#include "import_rounding.hpp"
 #include "mesh_cache.hpp"
 #include "mesh_file.hpp"
 #include "orbweaver/fault.hpp"
@@ -34,8 +37,12 @@ mesh::Validation bake_mesh(const std::string& source, const mesh::Recipe& recipe
     if (std::error_code ignored; fs::equivalent(source, output, ignored))
         throw Fault(FaultKind::invalid, output + ": is what is to be baked; name another file to write");
     const ImportedMesh imported = import_mesh(source, limits);
+    mesh::check(imported.raw, source);
+    const ImportRounding rounding = import_rounding(imported.raw);
+    if (rounding.polygons > 0) spdlog::warn("{}", rounding_sentence(rounding, imported.raw, source));
     mesh::Validation validation;
     const mesh::SurfaceMeshData built = mesh::build_surface_mesh(imported.raw, recipe, source, validation);
+    validation.rounded_polygons = rounding.polygons;
     BakedWriter writer(mesh::kMeshType, mesh::kMeshVersion, hash_file(source));
     mesh::add_mesh(writer, built.view(), validation);
     const surface::WideTreeData tree = surface::build_wide_tree({built.vertices, built.triangles});

@@ -28,6 +28,7 @@ std::string found(const char* what, std::uint64_t count, const char* where, std:
 std::string findings(const Validation& v) {
     return found("welded points", v.welded_points, "", mesh::kNone) +
            found("unused points", v.unused_points, "", mesh::kNone) +
+           found("rounded polygons", v.rounded_polygons, "", mesh::kNone) +
            found("dropped degenerate", v.dropped_degenerate, "polygon", v.first_degenerate) +
            found("dropped duplicate", v.dropped_duplicate, "polygon", v.first_duplicate) +
            found("border edges", v.border_edges, "triangle", v.first_border) +
@@ -91,6 +92,7 @@ std::string mesh_json(const BakedFile& file) {
         {"flipped", v.flipped},
         {"dropped_degenerate", v.dropped_degenerate},
         {"dropped_duplicate", v.dropped_duplicate},
+        {"rounded_polygons", v.rounded_polygons},
         {"welded_points", v.welded_points},
         {"unused_points", v.unused_points},
         {"source_points", v.source_points},

@@ -12,13 +12,14 @@
 #include <string>
 #include <vector>
 
-#include "../foot_paths.hpp"
+#include "../species_legs.hpp"
+#include "foot_paths.hpp"
+#include "leg_lanes.hpp"
 
 namespace {
 
 using namespace orbweaver;
 using namespace orbweaver::spider;
-using orbweaver::spider::test::FootPaths;
 
 double thread_seconds() {
     timespec now{};
@@ -88,13 +89,13 @@ bool near(double error, const Leg& leg) { return error <= 1e-4 * leg.length; }
 
 std::vector<Contender> contenders(const FootPaths& paths, double tolerance) {
     const auto kdl = std::make_shared<std::deque<KdlLeg>>();
-    for (const Leg& leg : paths.legs) kdl->emplace_back(leg, tolerance);
+    for (const Leg& leg : paths.legs()) kdl->emplace_back(leg, tolerance);
     std::vector<Contender> all;
     all.push_back({"KDL, no limits", [&paths, kdl](bool cold, std::size_t t) {
                        int reached = 0;
-                       for (std::size_t i = 0; i < paths.legs.size(); ++i) {
+                       for (std::size_t i = 0; i < paths.legs().size(); ++i) {
                            KdlLeg& leg = (*kdl)[i];
-                           if (cold) leg.set_pose(rest_pose(paths.legs[i]));
+                           if (cold) leg.set_pose(rest_pose(paths.legs()[i]));
                            const LegTarget& target = paths.at(cold, i, t);
                            reached += leg.solve(target.position) <= 1e-4;
                        }
@@ -103,12 +104,12 @@ std::vector<Contender> contenders(const FootPaths& paths, double tolerance) {
     LegSolverOptions options;
     options.tolerance = tolerance;
     const auto poses = std::make_shared<std::vector<LegPose>>();
-    for (const Leg& leg : paths.legs) poses->push_back(rest_pose(leg));
+    for (const Leg& leg : paths.legs()) poses->push_back(rest_pose(leg));
     all.push_back({"half Jacobian", [&paths, options, poses](bool cold, std::size_t t) {
                        static const LegSolver& solver = *find_leg_solver("half_jacobian");
                        int reached = 0;
-                       for (std::size_t i = 0; i < paths.legs.size(); ++i) {
-                           const Leg& leg = paths.legs[i];
+                       for (std::size_t i = 0; i < paths.legs().size(); ++i) {
+                           const Leg& leg = paths.legs()[i];
                            if (cold) (*poses)[i] = rest_pose(leg);
                            const LegTarget& target = paths.at(cold, i, t);
                            reached += near(solver.solve(leg, target, options, (*poses)[i]).error, leg);
@@ -116,7 +117,7 @@ std::vector<Contender> contenders(const FootPaths& paths, double tolerance) {
                        return reached;
                    }});
     for (const LaneKernel& kernel : lane_kernels()) {
-        const auto lanes = std::make_shared<LegLanes>(paths.legs, kernel);
+        const auto lanes = std::make_shared<LegLanes>(paths.legs(), kernel);
         const auto angles = std::make_shared<std::vector<double>>(lanes->angle_count());
         for (std::size_t i = 0; i < lanes->size(); ++i) lanes->set_pose(*angles, i, rest_pose(lanes->leg(i)));
         const auto targets = std::make_shared<std::vector<double>>(lanes->target_count());
@@ -142,12 +143,12 @@ std::vector<Contender> contenders(const FootPaths& paths, double tolerance) {
 int main() {
     for (const double tolerance : {1e-6, 1e-4})
         for (const double step : {0.002, 0.01, 0.05}) {
-            const FootPaths paths("huntsman", step);
+            const FootPaths paths(spider::test::species_legs("huntsman"), step);
             auto all = contenders(paths, tolerance);
             race(fmt::format("warm, feet move by {} of the leg's length a call, tolerance {}", step, tolerance),
-                 false, paths.legs.size(), all);
+                 false, paths.legs().size(), all);
             if (step == 0.05)
-                race(fmt::format("cold, from the rest pose, tolerance {}", tolerance), true, paths.legs.size(),
-                     all);
+                race(fmt::format("cold, from the rest pose, tolerance {}", tolerance), true,
+                     paths.legs().size(), all);
         }
 }

@@ -56,13 +56,19 @@ TEST_CASE("a mesh is found once it is baked, until a companion of its source cha
     CHECK(mesh_in(open_mesh(source)).triangles.size() == 12);
     folder.write("m.bin", "other points");
     CHECK_FALSE(find_cached(source, {}));
+    CHECK_THROWS_WITH(
+        open_mesh(source),
+        source +
+            ": was baked, but a file that belongs to it has changed since; orbweaver-assets bake, "
+            "with this scene, makes it anew in the cache");
     std::filesystem::remove(folder.path("m.bin"));
     CHECK_FALSE(find_cached(source, {}));
     folder.write("m.bin", "points");
     CHECK(find_cached(source, {}));
 }
 
-TEST_CASE("a baked file is opened as it is, a damaged one in the cache is as good as none", "[unit]") {
+TEST_CASE("a baked file is opened as it is; one damaged in the cache is told, with its place and the remedy",
+          "[unit]") {
     const test::CacheEnvironment environment;
     const test::Scratch folder;
     ::setenv("ORBWEAVER_CACHE", folder.path("").c_str(), 1);
@@ -71,6 +77,13 @@ TEST_CASE("a baked file is opened as it is, a damaged one in the cache is as goo
     const std::string source = folder.write("m.obj", "source");
     std::filesystem::copy(folder.path("m.baked"), cached_path(source, {}));
     CHECK(find_cached(source, {}));
-    std::filesystem::resize_file(cached_path(source, {}), 1000);
+    const std::string cached = cached_path(source, {});
+    std::filesystem::resize_file(cached, 1000);
     CHECK_FALSE(find_cached(source, {}));
+    CHECK_THROWS_WITH(
+        open_mesh(source),
+        Catch::StartsWith(source + ": was baked, but what is kept of it cannot be used (" + cached + ": ") &&
+            Catch::EndsWith("); orbweaver-assets bake, with this scene, makes it anew in the cache"));
+    std::filesystem::resize_file(cached, 0);
+    CHECK_THROWS_WITH(open_mesh(source), Catch::Contains("cannot be used (" + cached + ": "));
 }

@@ -17,9 +17,11 @@ TEST_CASE("a mesh that means nothing is refused in words", "[unit]") {
     };
     const std::vector<Case> cases = {
         {[](RawMesh& m) { m.points[2].y = std::numeric_limits<double>::quiet_NaN(); },
-         "m.obj: point 2 is (1.000000, nan, 0.000000); expected finite coordinates within 1e50 m"},
+         "m.obj: point 2 is (1.000000, nan, 0.000000); expected finite coordinates within 1e50 m, "
+         "so scale it down or export it again"},
         {[](RawMesh& m) { m.points[0].z = -std::numeric_limits<double>::infinity(); },
-         "m.obj: point 0 is (0.000000, 0.000000, -inf); expected finite coordinates within 1e50 m"},
+         "m.obj: point 0 is (0.000000, 0.000000, -inf); expected finite coordinates within 1e50 m, "
+         "so scale it down or export it again"},
         {[](RawMesh& m) { m.corners[3] = 4; }, "m.obj: corner 3 is point 4 of 4; export the mesh again"},
         {[](RawMesh& m) {
              m.first = {0, 2, 4}, m.material = {0, 0};

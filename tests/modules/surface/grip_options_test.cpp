@@ -73,3 +73,15 @@ TEST_CASE("what a scene gets wrong of grips is told at its place, all at once", 
             "s.toml:7:1: patch 'd' says nothing of its polygons; expected 'friction' or 'climbable'",
             "s.toml:10:1: polygon 3 is in patch 'e' and in patch 'f'; expected patches that do not overlap"});
 }
+
+TEST_CASE("a list that names the same polygons again and again is held once", "[extreme]") {
+    Asked asked;
+    std::string list = "0-5";
+    for (int i = 0; i < 10'000; ++i) list += ",0-5, 3";
+    asked.set("patch.all.polygons", list);
+    asked.set("patch.all.friction", 0.3);
+    const GripOverrides grips = asked.grips();
+    CHECK(asked.host.faults.empty());
+    CHECK(grips.patched.size() == 1);
+    CHECK(grips.grip(asked.data.view(), 11).friction == 0.3);
+}

@@ -143,6 +143,60 @@ TEST_CASE("each shape of our own is one of the manifest's choices, and is made a
     }
 }
 
+// As large as a bacterium and as a country, and a million radii from the origin: the answers of the shape at 1
+// m, to the rounding of places so far away, 1e6 times half a unit in the last place, a few times over.
+TEST_CASE("a tiny, a huge and a far-away shape answer as the one at the origin does", "[extreme]") {
+    for (const char* shape : {"sphere", "cube", "torus", "cliff"})
+        for (const auto& [size, radii] : {std::pair{1e-8, 0.0},
+                                          {1e-8, 1e6},
+                                          {1e-4, 1e6},
+                                          {1.0, 1e6},
+                                          {10.0, 2e6},
+                                          {1e6, 0.0},
+                                          {1e7, 0.0}}) {
+            CAPTURE(shape, size, radii);
+            const Vec3 place = radii * size / 2 * Vec3{1, -1, 1};
+            LoadedModule near_module("surface"), module("surface");
+            FakeHost near_host, host;
+            for (FakeHost* each : {&near_host, &host}) {
+                each->set("shape", std::string(shape));
+                each->set("subdivision", std::int64_t{5});
+            }
+            near_host.set("position", Vec3{});
+            host.set("size", size);
+            host.set("position", place);
+            REQUIRE(near_module.attach(near_host));
+            REQUIRE(module.attach(host));
+            const Surface& one = surface_of(near_host);
+            const Surface& other = surface_of(host);
+            const double tolerance = 8 * (1 + radii) * 2.2e-16;
+            const auto same_place = [&](const Vec3& expected, const Vec3& found) {
+                CHECK(distance(size * expected + place, found) <= tolerance * size);
+            };
+            const Vec3 above{0.11, 0.9, 0.07};
+            const SurfaceHit hit = one.first_hit({above, {0.05, -1, 0.3}});
+            const SurfaceHit found = other.first_hit({size * above + place, {0.05, -1, 0.3}});
+            REQUIRE(found.answer == hit.answer);
+            if (hit.answer == Answer::found) {
+                CHECK(std::abs(found.distance - size * hit.distance) <= tolerance * size);
+                same_place(one.position(hit.at), other.position(found.at));
+            }
+            const SurfaceHit nearest = one.closest_point(above, 2);
+            const SurfaceHit found_nearest = other.closest_point(size * above + place, 2 * size);
+            REQUIRE(nearest.answer == Answer::found);
+            REQUIRE(found_nearest.answer == Answer::found);
+            same_place(one.position(nearest.at), other.position(found_nearest.at));
+            const SurfaceStep from = one.place(nearest.at, {0, 1, 0}, {1, 0.2, 0.4});
+            const SurfaceStep found_from = other.place(nearest.at, {0, 1, 0}, {1, 0.2, 0.4});
+            const SurfaceStep end = one.step(from.end, 0.3);
+            const SurfaceStep found_end = other.step(found_from.end, 0.3 * size);
+            REQUIRE(end.answer == Answer::found);
+            REQUIRE(found_end.answer == Answer::found);
+            CHECK(found_end.stop == end.stop);
+            same_place(end.end.position, found_end.end.position);
+        }
+}
+
 TEST_CASE("a surface is scaled and moved as the scene says, its baked tree with it", "[unit]") {
     const test::Scratch folder;
     bake(folder.path("ball.baked"), mesh::sphere(1, 12), Tree::baked);

@@ -29,6 +29,7 @@ TEST_CASE("the study's help tells every kind, every option and what is left", "[
     for (const char* word : {"accuracy",
                              "stability",
                              "queries",
+                             "ik",
                              "SCENE",
                              "--out",
                              "--method",
@@ -46,6 +47,7 @@ TEST_CASE("the study's help tells every kind, every option and what is left", "[
                              "accuracy_statistics.csv",
                              "stability.csv",
                              "queries.csv",
+                             "ik.csv",
                              "method,step_s,tolerance,error_m,wall_s,steps,outcome",
                              "index.html"}) {
         CAPTURE(word);
@@ -102,6 +104,7 @@ TEST_CASE("a study that was asked for wrongly ends with code 2 and says why", "[
          "a map has two"},
         {scene.study("queries", {"--axis", "a.b=1..2:3"}), "only stability has axes"},
         {scene.study("queries", {"--references", "rk4,verlet"}), "queries are held against every triangle"},
+        {scene.study("ik", {"--references", "rk4,verlet"}), "limbs are held against their own geometry"},
         {scene.study("accuracy", {"--time", "0"}), "'0' is not a time above 0"},
         {scene.study("accuracy", {"--time", "3 m"}), "'3 m' is not a time above 0"},
         {scene.study("accuracy", {"--repeats", "0"}), "--repeats"},

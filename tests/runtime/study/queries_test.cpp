@@ -39,7 +39,7 @@ struct Asked {
         settings.run.quiet = true;
         settings.repeats = 1;
     }
-    QueryResult study(std::vector<SurfaceWays*> offers, double seconds = 60) {
+    WaysResult study(std::vector<SurfaceWays*> offers, double seconds = 60) {
         return study_queries(settings, "a cube", 7, cube.surface, offers, deadline_in(seconds, interrupt));
     }
 };
@@ -48,19 +48,19 @@ struct Asked {
 
 TEST_CASE("every way is asked what it answers, and errors are as small as doubles are", "[scene]") {
     Asked asked;
-    const QueryResult result = asked.study({&asked.cube.ways});
-    CHECK(result.triangles == 108);
-    CHECK(result.size_m == 2);
+    const WaysResult result = asked.study({&asked.cube.ways});
+    using Fact = std::pair<std::string, double>;
+    CHECK(result.facts == std::vector<Fact>{{"triangles", 108}, {"size_m", 2}, {"seed", 7}});
     CHECK(result.rows.size() == 3 * 2 + 4 + 2);
-    for (const QueryRow& row : result.rows) {
-        CAPTURE(row.questions, row.way);
+    for (const WayRow& row : result.rows) {
+        CAPTURE(row.tasks, row.way);
         CHECK(row.asked == 2000);
         CHECK(row.missed == 0);
         CHECK(row.invented == 0);
         CHECK(row.cost_s > 0);
-        CHECK(row.median_error_m <= row.error_m);
-        const bool is_scan = row.questions == "over_edges" && row.way == "walker";
-        CHECK(row.error_m < (is_scan ? 0.1 : 1e-12));
+        CHECK(row.median_error <= row.error);
+        const bool is_scan = row.tasks == "over_edges" && row.way == "walker";
+        CHECK(row.error < (is_scan ? 0.1 : 1e-12));
     }
     CHECK(result.sentences.size() == 5);
     CHECK_THAT(result.sentences[1], Catch::StartsWith("vertices: 2000 rays at vertices: none missed"));
@@ -69,7 +69,7 @@ TEST_CASE("every way is asked what it answers, and errors are as small as double
 TEST_CASE("what misses, invents and errs is told", "[unit]") {
     Asked asked;
     BadWays bad;
-    const QueryResult result = asked.study({&bad});
+    const WaysResult result = asked.study({&bad});
     const auto rows = result.rows_of("random");
     REQUIRE(rows.size() == 2);
     CHECK(rows[0].way == "blind");
@@ -77,8 +77,8 @@ TEST_CASE("what misses, invents and errs is told", "[unit]") {
     CHECK(rows[0].invented == 0);
     CHECK(rows[1].missed == 0);
     CHECK(rows[1].missed + rows[1].invented + rows[0].missed ==
-          2000);  // what is not there, the other is right of
-    CHECK(rows[1].error_m == Approx(std::sqrt(12.0)).epsilon(0.05));  // from corner to corner
+          2000);                                                    // what is not there, the other is right of
+    CHECK(rows[1].error == Approx(std::sqrt(12.0)).epsilon(0.05));  // from corner to corner
     CHECK_THAT(result.sentences[0],
                Catch::Contains("blind misses ") && Catch::Contains("stubborn misses 0 and"));
 }
@@ -86,7 +86,7 @@ TEST_CASE("what misses, invents and errs is told", "[unit]") {
 TEST_CASE("ways are chosen by name, and one that is not there is refused with the nearest", "[unit]") {
     Asked asked;
     asked.settings.methods = {"wide_tree"};
-    for (const QueryRow& row : asked.study({&asked.cube.ways}).rows) CHECK(row.way == "wide_tree");
+    for (const WayRow& row : asked.study({&asked.cube.ways}).rows) CHECK(row.way == "wide_tree");
     asked.settings.methods = {"wide_tre"};
     CHECK_THROWS_WITH(asked.study({&asked.cube.ways}),
                       "--method wide_tre: there is no such way of asking; expected walker, wide_tree, "
@@ -95,7 +95,7 @@ TEST_CASE("ways are chosen by name, and one that is not there is refused with th
 
 TEST_CASE("what there was no time for is told", "[extreme]") {
     Asked asked;
-    const QueryResult result = asked.study({&asked.cube.ways}, 1e-9);
+    const WaysResult result = asked.study({&asked.cube.ways}, 1e-9);
     CHECK(result.rows.empty());
     REQUIRE(result.sentences.size() == 12);
     CHECK(result.sentences[0] == "random by wide_tree: left out for lack of time");

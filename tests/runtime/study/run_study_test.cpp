@@ -28,8 +28,11 @@ TEST_CASE("a study that fails leaves nothing", "[extreme]") {
     CHECK(Folder::names_in(scene.settings.out).empty());
 }
 
-TEST_CASE("a scene without a surface has no queries to study", "[extreme]") {
+TEST_CASE("a scene without a surface has no queries to study, and one without limbs no reach", "[extreme]") {
     OscillatorScene scene;
     CHECK(kind_of_fault([&] { run_queries(scene.settings); }) == FaultKind::invalid);
+    CHECK_THROWS_WITH(run_reaches(scene.settings),
+                      scene.settings.run.scene_path +
+                          ": it has 0 tables of creatures with limbs; expected one, such as [spider]");
     CHECK_FALSE(std::filesystem::exists(scene.settings.out));
 }
