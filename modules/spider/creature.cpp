@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "backbone.hpp"
+
 namespace orbweaver::spider {
 namespace {
 
@@ -251,6 +253,7 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
     const auto progress = state.progress;
     step_feet(surface, conduct, dt, state, measures);
     reach_feet(surface, conduct, state, measures);
+    bend_back(conduct, dt, state);
     ++measures.frames;
     for (std::size_t leg = 0; leg < species.limbs.size(); ++leg)
         if (progress[leg] < 0 && state.progress[leg] < 0)

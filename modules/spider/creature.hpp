@@ -51,7 +51,8 @@ struct Foot {
 struct CreatureState {
     Ground ground;
     UpTurn turn;
-    Vec3 shift;  ///< m, by which the body keeps off what it would come too near to
+    double bend = 0;  ///< rad, between thorax and abdomen, up is positive
+    Vec3 shift;       ///< m, by which the body keeps off what it would come too near to
     WanderState wander;
     PauseState pause;
     double phase = 0;

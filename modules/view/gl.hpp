@@ -24,6 +24,7 @@ namespace orbweaver::view {
     X(PFNGLCOMPILESHADERPROC, CompileShader)                     \
     X(PFNGLCREATEPROGRAMPROC, CreateProgram)                     \
     X(PFNGLCREATESHADERPROC, CreateShader)                       \
+    X(PFNGLCULLFACEPROC, CullFace)                               \
     X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                     \
     X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)           \
     X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                     \
@@ -34,6 +35,7 @@ namespace orbweaver::view {
     X(PFNGLDISABLEPROC, Disable)                                 \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                           \
     X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)         \
+    X(PFNGLDRAWELEMENTSINSTANCEDPROC, DrawElementsInstanced)     \
     X(PFNGLENABLEPROC, Enable)                                   \
     X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray) \
     X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)       \
@@ -56,6 +58,7 @@ namespace orbweaver::view {
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                           \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                     \
     X(PFNGLUNIFORM1FPROC, Uniform1f)                             \
+    X(PFNGLUNIFORM1IPROC, Uniform1i)                             \
     X(PFNGLUNIFORM2FPROC, Uniform2f)                             \
     X(PFNGLUNIFORM3FPROC, Uniform3f)                             \
     X(PFNGLUNIFORM4FPROC, Uniform4f)                             \
@@ -63,6 +66,7 @@ namespace orbweaver::view {
     X(PFNGLUSEPROGRAMPROC, UseProgram)                           \
     X(PFNGLVERTEXATTRIBDIVISORPROC, VertexAttribDivisor)         \
     X(PFNGLVERTEXATTRIBIPOINTERPROC, VertexAttribIPointer)       \
+    X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)         \
     X(PFNGLVIEWPORTPROC, Viewport)
 
 /// GL as one canvas offers it: a table of functions, without the "gl" in front.
