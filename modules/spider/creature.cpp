@@ -237,10 +237,14 @@ void place_creature(const Surface& surface, const Conduct& conduct, const Footin
     reach_feet(surface, conduct, state, unused);
 }
 
+double feel_reach(const Species& species) noexcept {
+    return std::max(body_length(species), 0.6 * mean_leg_length(species));
+}
+
 void advance_creature(const Surface& surface, const Conduct& conduct, const Company& company, double dt,
                       CreatureState& state, CreatureMeasures& measures) noexcept {
     const Species& species = *conduct.species;
-    const double reach = std::max(body_length(species), 0.6 * mean_leg_length(species));
+    const double reach = feel_reach(species);
     const Feel feel = feel_ahead(surface, state.ground, reach);
     steer(conduct, company, feel, reach, dt, state);
     if (move(surface, dt, state.ground) == MoveEnd::lost) ++measures.lost_frames;

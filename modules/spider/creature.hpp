@@ -98,6 +98,9 @@ struct Company {
     double keep_apart = 0;       ///< m, from them
 };
 
+/// m, how far ahead and behind it feels.
+double feel_reach(const Species& species) noexcept;
+
 /// One frame of dt s: feels, wanders, moves, turns, steps and reaches.
 void advance_creature(const Surface& surface, const Conduct& conduct, const Company& company, double dt,
                       CreatureState& state, CreatureMeasures& measures) noexcept;

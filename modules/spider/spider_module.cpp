@@ -11,6 +11,7 @@
 #include "orbweaver/contracts/skins.hpp"
 #include "orbweaver/contracts/workers.hpp"
 #include "orbweaver/entry.hpp"
+#include "sketch.hpp"
 #include "skin.hpp"
 
 namespace orbweaver::spider {
@@ -41,7 +42,7 @@ Conduct conduct_of(const Host& host, const Species& species) {
 }
 
 /// One [spider] table: creatures of one kind.
-class SpiderModule final : public Module, public Skins {
+class SpiderModule final : public Module, public Skins, public Sketch {
 public:
     void attach(Host& host) override {
         Diagnostics faults;
@@ -52,6 +53,7 @@ public:
         surface_ = host.find<Surface>();
         workers_ = host.find<Workers>();
         conduct_ = conduct_of(host, species_);
+        debug_ = host.options().flag("debug");
         const auto count = static_cast<std::size_t>(host.options().integer("count"));
         creatures_.resize(count);
         measures_.resize(count);
@@ -59,6 +61,7 @@ public:
         if (!place(host)) return;
         keep_state();
         host.provide<Skins>(*this);
+        host.provide<Sketch>(*this);
     }
 
     void run(Phase, const orbweaver::Frame& frame) override {
@@ -82,7 +85,7 @@ public:
     void report(ModuleReport& report) override {
         report.memory_bytes = creatures_.capacity() * (sizeof(CreatureState) + sizeof(CreatureMeasures)) +
                               neighbors_.memory_bytes() + moves_.capacity() * sizeof(SkinMove) +
-                              (skin_ ? skin_->memory_bytes() : 0);
+                              lines_.capacity() * sizeof(SketchLine) + (skin_ ? skin_->memory_bytes() : 0);
         const CreatureMeasures all = sum_of(measures_);
         const double feet = static_cast<double>(species_.limbs.size());
         const double frames = static_cast<double>(std::max<std::uint64_t>(1, all.frames));
@@ -104,6 +107,14 @@ public:
     SkinMesh mesh() override {
         if (!skin_) skin_.emplace(species_, RandomStream{0, species_.name});
         return skin_->mesh();
+    }
+
+    bool wanted() const noexcept override { return debug_; }
+
+    std::span<const SketchLine> lines() override {
+        lines_.clear();
+        for (const CreatureState& creature : creatures_) add_sketch(*surface_, conduct_, creature, lines_);
+        return lines_;
     }
 
     std::span<const SkinMove> moves() override {
@@ -187,6 +198,7 @@ private:
 
     Species species_;
     Conduct conduct_;
+    bool debug_ = false;
     const Surface* surface_ = nullptr;
     Workers* workers_ = nullptr;
     std::vector<RandomStream> random_;
@@ -195,6 +207,7 @@ private:
     Neighbors neighbors_;
     std::optional<Skin> skin_;  // made when somebody looks
     std::vector<SkinMove> moves_;
+    std::vector<SketchLine> lines_;
     std::span<Vec3> position_, up_, forward_, foot_;  // state
     std::span<double> numbers_;                       // state
     std::size_t per_creature_ = 0;

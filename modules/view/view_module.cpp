@@ -10,6 +10,7 @@
 #include "orbweaver/contracts/picture_source.hpp"
 #include "orbweaver/entry.hpp"
 #include "shade_pass.hpp"
+#include "sketch_pass.hpp"
 #include "skin_pass.hpp"
 #include "sky_pass.hpp"
 #include "sky_source.hpp"
@@ -78,6 +79,7 @@ private:
     std::optional<SkyPass> sky_;
     std::optional<SurfacePass> surface_;
     std::vector<std::unique_ptr<ThreadPass>> threads_;
+    std::vector<std::unique_ptr<SketchPass>> sketches_;
     std::vector<std::unique_ptr<SkinView>> skins_;
     std::optional<FrameTarget> backdrop_;  // sky and surface: they change only with the camera
     std::optional<FrameTarget> bodies_;    // the same with what has a skin, where anything has
@@ -119,6 +121,8 @@ void View::make_passes(Host& host) {
     for (Skins* each : skins) skins_.push_back(std::make_unique<SkinView>(gl_, *each, sky_light(sky), key));
     for (const Threads* threads : host.collect<Threads>())
         threads_.push_back(std::make_unique<ThreadPass>(gl_, *threads, asked_look(host.options())));
+    for (Sketch* sketch : host.collect<Sketch>())
+        if (sketch->wanted()) sketches_.push_back(std::make_unique<SketchPass>(gl_, *sketch));
 }
 
 /// Pixels of the backdrop a pixel of the picture, along a side: the steps of surfaces' and skins' rims are
@@ -203,6 +207,7 @@ void View::run(Phase, const Frame&) {
     draw_backdrop();
     picture_->bind();
     for (const auto& each : threads_) each->draw(camera_, width(), height());
+    for (const auto& each : sketches_) each->draw(camera_, width(), height());
     picture_->copy_to(0, canvas_->width(), canvas_->height());
     canvas_->present();
     rgb_stale_ = true;
@@ -223,6 +228,7 @@ void View::report(ModuleReport& report) {
     for (const auto& each : skins_)
         bytes += each->moves.memory_bytes() + each->shade.memory_bytes() + each->pass.memory_bytes();
     for (const auto& each : threads_) bytes += each->memory_bytes();
+    for (const auto& each : sketches_) bytes += each->memory_bytes();
     report.memory_bytes = bytes;
     report.measure("pictures", pictures_);
     report.measure("width", static_cast<std::int64_t>(width()));
