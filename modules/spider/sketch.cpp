@@ -37,7 +37,7 @@ void draw_polygon(const Surface& surface, std::uint32_t face, Pen pen) {
     while (end < faces.size() && polygons[end] == polygons[face]) ++end;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (std::size_t f = first; f < end; ++f)
-        for (std::size_t e = 0; e < 3; ++e) edges.push_back(std::minmax(faces[f][e], faces[f][(e + 1) % 3]));
+        for (std::size_t e = 0; e < 3; ++e) edges.emplace_back(std::minmax(faces[f][e], faces[f][(e + 1) % 3]));
     std::sort(edges.begin(), edges.end());
     for (const auto& edge : edges)
         if (std::upper_bound(edges.begin(), edges.end(), edge) -

@@ -2,6 +2,7 @@
 
 #include <GL/glcorearb.h>
 
+#include <cstddef>
 #include <utility>
 
 #include "orbweaver/contracts/canvas.hpp"
@@ -78,6 +79,11 @@ struct Gl {
 
 /// Throws Fault(internal) naming every function that the canvas lacks.
 Gl load_gl(const Canvas& canvas);
+
+/// A place in the bound buffer, as GL asks for it.
+inline const void* buffer_offset(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
+}
 
 enum class ObjectKind { buffer, framebuffer, program, texture, vertex_array };
 

@@ -35,7 +35,7 @@ out vec4 color;
 void main() { color = vec4(shade, clamp(2 - abs(across), 0, 1)); }
 )";
 
-constexpr GLint kPerLine = 9;
+constexpr GLsizei kLineBytes = 9 * sizeof(float);
 
 }  // namespace
 
@@ -72,8 +72,7 @@ void SketchPass::draw(const Camera& camera, int width, int height) {
                    GL_STREAM_DRAW);
     for (GLuint i = 0; i < 3; ++i) {
         gl_.EnableVertexAttribArray(i);
-        gl_.VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, kPerLine * sizeof(float),
-                                reinterpret_cast<const void*>(3 * i * sizeof(float)));
+        gl_.VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, kLineBytes, buffer_offset(3 * sizeof(float) * i));
         gl_.VertexAttribDivisor(i, 1);
     }
     gl_.Enable(GL_BLEND);

@@ -97,8 +97,6 @@ Packed packed(const SkinVertex& v) {
             v.weights};
 }
 
-const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
-
 }  // namespace
 
 SkinPass::SkinPass(const Gl& gl, const SkinMesh& mesh, const SkyLight& light, const KeyLight& key)
@@ -137,13 +135,13 @@ void SkinPass::upload(const SkinMesh& mesh) {
                    mesh.triangles.data(), GL_STATIC_DRAW);
     const auto floats = [&](GLuint where, GLint count, std::size_t at) {
         gl_.EnableVertexAttribArray(where);
-        gl_.VertexAttribPointer(where, count, GL_FLOAT, GL_FALSE, sizeof(Packed), offset(at));
+        gl_.VertexAttribPointer(where, count, GL_FLOAT, GL_FALSE, sizeof(Packed), buffer_offset(at));
     };
     floats(0, 3, offsetof(Packed, position));
     floats(1, 3, offsetof(Packed, normal));
     floats(2, 4, offsetof(Packed, paint));
     gl_.EnableVertexAttribArray(3);
-    gl_.VertexAttribIPointer(3, 2, GL_UNSIGNED_INT, sizeof(Packed), offset(offsetof(Packed, bones)));
+    gl_.VertexAttribIPointer(3, 2, GL_UNSIGNED_INT, sizeof(Packed), buffer_offset(offsetof(Packed, bones)));
     floats(4, 2, offsetof(Packed, weights));
 }
 

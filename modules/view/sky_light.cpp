@@ -22,10 +22,11 @@ KeyLight key_light(const CubeSky& sky) {
     const auto n = static_cast<std::size_t>(sky.size);
     for (std::size_t f = 0; f < kFaces; ++f)
         for (std::size_t i = 0; i < n * n; ++i) {
+            const std::size_t row = i / n, column = i % n;
             const float* rgb = &sky.faces[f][3 * i];
             const double mean = (rgb[0] + rgb[1] + rgb[2]) / 3.0;
-            const double s = (static_cast<double>(i % n) + 0.5) / sky.size;
-            const double t = (static_cast<double>(i / n) + 0.5) / sky.size;
+            const double s = (static_cast<double>(column) + 0.5) / sky.size;
+            const double t = (static_cast<double>(row) + 0.5) / sky.size;
             const Vec3 way = face_direction(static_cast<Face>(f), s, t);
             const double length = norm(way);  // a pixel's solid angle goes as its inverse cube
             const double weight = mean * mean * mean * mean / (length * length * length);

@@ -16,7 +16,7 @@ struct Plates final : Skins {
     std::vector<SkinMove> now;
 
     /// Each stands at one of `places`.
-    explicit Plates(std::vector<Vec3> places) {
+    explicit Plates(const std::vector<Vec3>& places) {
         for (const auto& [x, y] : {std::pair{-1.F, -1.F}, {1.F, -1.F}, {1.F, 1.F}, {-1.F, 1.F}})
             vertices.push_back(
                 {{x, y, 0}, {0, 0, 1}, {1, 0, 0}, 0, {0, 1}, {x < 0 ? 1.F : 0.F, x < 0 ? 0.F : 1.F}});

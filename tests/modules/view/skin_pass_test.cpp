@@ -27,7 +27,7 @@ class Studio {
 public:
     Studio() : canvas_(kSize, kSize), target_(canvas_.gl, kSize, kSize, FrameTarget::Depth::kept) {}
 
-    void draw(std::vector<Skins*> all) {
+    void draw(const std::vector<Skins*>& all) {
         const CubeSky sky = even(0.5F);
         target_.bind();
         target_.clear_depths();

@@ -9,11 +9,11 @@ using namespace orbweaver::view;
 namespace {
 
 /// Each face of one light: 0.1 to the right, 0.2 to the left, 0.3 above ...
-CubeSky six_lights(int size) {
+CubeSky six_lights(std::size_t size) {
     CubeSky sky;
-    sky.size = size;
+    sky.size = static_cast<int>(size);
     for (std::size_t f = 0; f < kFaces; ++f)
-        sky.faces[f].assign(static_cast<std::size_t>(3 * size * size), 0.1F * static_cast<float>(f + 1));
+        sky.faces[f].assign(3 * size * size, 0.1F * static_cast<float>(f + 1));
     return sky;
 }
 
@@ -34,7 +34,7 @@ TEST_CASE("the light of a sky is the mean of each face", "[unit]") {
 TEST_CASE("the key light comes from the only pixel that shines, in its colour", "[unit]") {
     CubeSky sky = six_lights(16);
     darken(sky);
-    float* pixel = &sky.faces[static_cast<std::size_t>(Face::right)][3 * (2 * 16 + 12)];
+    float* pixel = &sky.faces[static_cast<std::size_t>(Face::right)][std::size_t{3} * (2 * 16 + 12)];
     pixel[0] = 0.9F;
     pixel[1] = 0.6F;
     const KeyLight key = key_light(sky);
