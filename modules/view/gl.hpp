@@ -32,6 +32,7 @@ namespace orbweaver::view {
     X(PFNGLDELETESHADERPROC, DeleteShader)                       \
     X(PFNGLDELETETEXTURESPROC, DeleteTextures)                   \
     X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)           \
+    X(PFNGLDEPTHFUNCPROC, DepthFunc)                             \
     X(PFNGLDEPTHMASKPROC, DepthMask)                             \
     X(PFNGLDISABLEPROC, Disable)                                 \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                           \

@@ -102,11 +102,11 @@ ShadePass::ShadePass(const Gl& gl, const SkinMesh& mesh, const KeyLight& key)
       rod_buffer_(gl, ObjectKind::buffer),
       rod_texture_(gl, ObjectKind::texture),
       bones_(static_cast<GLint>(mesh.rods.size())) {
-    constexpr double kThrown = 0.8;  // of the longest way between two rods
+    constexpr double kThrown = 1.2;  // of the longest way from the first rod to another's end
     std::vector<float> texels;
     double extent = 0;
     for (const SkinRod& rod : mesh.rods) extent = std::max(extent, distance(rod.b, mesh.rods.front().a));
-    cast_ = static_cast<float>(kThrown * 2 * extent);
+    cast_ = static_cast<float>(kThrown * extent);
     for (const SkinRod& rod : mesh.rods)
         for (const double number : {rod.a.x, rod.a.y, rod.a.z, rod.radius, rod.b.x, rod.b.y, rod.b.z, 0.0})
             texels.push_back(static_cast<float>(number));
@@ -151,8 +151,14 @@ void ShadePass::draw(const SkinMoves& moves, GLuint depths, const Camera& camera
     gl_.Enable(GL_BLEND);
     gl_.BlendFunc(GL_DST_COLOR, GL_ZERO);
     gl_.Enable(GL_CULL_FACE);
-    gl_.CullFace(GL_FRONT);  // far sides: they are there when the camera is in the box, too
+    gl_.CullFace(GL_FRONT);     // far sides: they are there when the camera is in the box, too
+    gl_.Enable(GL_DEPTH_TEST);  // what they do not cover is beyond the box
+    gl_.DepthFunc(GL_GREATER);
+    gl_.DepthMask(GL_FALSE);
     gl_.DrawArraysInstanced(GL_TRIANGLES, 0, 36, bones_ * moves.creatures());
+    gl_.DepthMask(GL_TRUE);
+    gl_.DepthFunc(GL_LESS);
+    gl_.Disable(GL_DEPTH_TEST);
     gl_.Disable(GL_CULL_FACE);
     gl_.BindTexture(GL_TEXTURE_2D, 0);
     gl_.ActiveTexture(GL_TEXTURE0);

@@ -12,8 +12,8 @@ namespace orbweaver::view {
 class ShadePass {
 public:
     ShadePass(const Gl& gl, const SkinMesh& mesh, const KeyLight& key);
-    /// Darkens the bound framebuffer, of width x height pixels, where a picture of that size with those depths
-    /// (a texture) shows a surface.
+    /// Darkens the bound framebuffer, of width x height pixels, where it shows a surface. `depths` is a texture
+    /// of the depths that it holds itself.
     void draw(const SkinMoves& moves, GLuint depths, const Camera& camera, int width, int height) const;
     std::size_t memory_bytes() const noexcept { return memory_bytes_; }
 

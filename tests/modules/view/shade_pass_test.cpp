@@ -41,6 +41,7 @@ public:
         ground_.clear_depths();
         SurfacePass(canvas_.gl, cube, {{1, 1, 1}, 0}, sky).draw(camera, kSize, kSize);
         ground_.copy_to(picture_.framebuffer(), kSize, kSize);
+        ground_.copy_depths_to(picture_);
         picture_.bind();
         test::Plates plates({{0, 20 + height, 0}});
         SkinMoves moves(canvas_.gl, plates);
