@@ -9,6 +9,7 @@ namespace orbweaver::spider {
 namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
+constexpr double kCalm = 0.15;  // s before it walks on, in which they come to rest
 constexpr double kPalpSwing = 22 * kDegree;
 constexpr double kCheliceraSwing = 5 * kDegree;
 constexpr double kPalpHeading = 18 * kDegree;     // to its side
@@ -53,8 +54,9 @@ void place_leg(const Limb& limb, const LegPose& pose, std::span<BonePlace> place
 SkeletonPose skeleton_pose(const Conduct& conduct, const CreatureState& state) noexcept {
     SkeletonPose pose;
     pose.bend = state.bend;
+    const double ending = std::min(1.0, state.pause.left / kCalm);
     for (const std::size_t left : {0, 1}) {
-        const double raised = twitch(conduct.pauses, state.pause, left == 0);
+        const double raised = ending * twitch(conduct.pauses, state.pause, left == 0);
         pose.palps[left] = kPalpSwing * raised;
         pose.chelicerae[left] = kCheliceraSwing * raised * raised;
     }

@@ -18,10 +18,10 @@ constexpr std::array<Girth, kBones> kGirths{{{0.9, 1.0, 0.86},
 constexpr std::array kStations{0.1, 0.24, 0.5, 0.76, 0.9};  // of a bone, between its joints
 constexpr std::size_t kSides = 12;
 
-/// A chain of bones to be swept: where they begin, the end, and how thick they are.
+/// A chain of bones to be swept: where they begin, and the end.
 struct BoneLine {
     std::vector<Vec3> joints;        ///< m; one more than bones
-    std::vector<std::size_t> bones;  ///< that the skin goes with, or one for all
+    std::vector<std::size_t> bones;  ///< that the skin goes with
     Vec3 across;                     ///< unit, at right angles to all of them
 };
 

@@ -84,3 +84,24 @@ TEST_CASE("palps and chelicerae are still but in pauses", "[unit]") {
     CHECK(most > 10 * kDegree);
     CHECK(most <= 22 * kDegree);
 }
+
+TEST_CASE("palps do not jump when a pause begins or ends", "[unit]") {
+    constexpr double kStep = 1e-3;
+    const Species species = creature("huntsman");
+    Conduct conduct;
+    conduct.species = &species;
+    const RandomStream random(3, "palps");
+    CreatureState state;
+    double last = 0;
+    int changes = 0;
+    for (int i = 0; i < 60000; ++i) {
+        const bool stood = state.pause.stands;
+        advance_pauses(conduct.pauses, random, kStep, state.pause);
+        const double palp = skeleton_pose(conduct, state).palps[0];
+        // 7 and 0.6 turns a second of 22 degrees, and as many in the 0.15 s before it walks on.
+        CHECK(std::abs(palp - last) < kStep * 22 * kDegree * (2 * 3.1416 * 7.6 + 1 / 0.15));
+        last = palp;
+        changes += state.pause.stands != stood ? 1 : 0;
+    }
+    CHECK(changes > 10);
+}
