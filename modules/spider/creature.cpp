@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "backbone.hpp"
 #include "keep_off.hpp"
 #include "rotor.hpp"
 #include "stepping.hpp"
@@ -177,11 +178,15 @@ void place_creature(const Surface& surface, const Conduct& conduct, const Footin
     place_feet(surface, conduct, state);
 }
 
+double feel_reach(const Species& species) noexcept {
+    return std::max(body_length(species), 0.6 * mean_leg_length(species));
+}
+
 void advance_creature(const Surface& surface, const Conduct& conduct, const Company& company, double dt,
                       CreatureState& state, CreatureMeasures& measures) noexcept {
     const Species& species = *conduct.species;
     const Before before(conduct, state);
-    const double reach = std::max(body_length(species), 0.6 * mean_leg_length(species));
+    const double reach = feel_reach(species);
     const Feel feel = feel_ahead(surface, state.ground, reach, 1.5 * species.carriage);
     steer(conduct, company, feel, reach, dt, state);
     if (move(surface, dt, 1.3 * species.carriage, state.ground) == MoveEnd::lost) ++measures.lost_frames;
@@ -189,6 +194,7 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
     turn_body(conduct, feel.up, dt, state);
     const double below = hold_body(surface, conduct, dt, state);
     step_feet(surface, conduct, dt, state, measures);
+    bend_back(conduct, dt, state);
     ++measures.frames;
     const Support support = support_of(conduct, state);
     state.sway = sway_of(conduct, support, state, dt);

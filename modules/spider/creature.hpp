@@ -64,6 +64,7 @@ struct CreatureState {
     double spin = 0;        ///< rad/s, of the body about its up, to the left
     Vec3 sway;              ///< m, by which it is going to lean towards the middle of its feet
     double strain = 0;      ///< of the standing leg that is strained the most: see strain_of()
+    double bend = 0;        ///< rad, between thorax and abdomen, up is positive
     WanderState wander;
     PauseState pause;
     double phase = 0;
@@ -84,6 +85,9 @@ struct Company {
     std::span<const Vec3> near;  ///< m, where others are
     double keep_apart = 0;       ///< m, from them
 };
+
+/// m, how far ahead and behind it feels.
+double feel_reach(const Species& species) noexcept;
 
 /// One frame of dt s: feels, wanders, moves, turns, steps and reaches.
 void advance_creature(const Surface& surface, const Conduct& conduct, const Company& company, double dt,

@@ -2,33 +2,48 @@
 
 #include <array>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "creature.hpp"
-#include "orbweaver/contracts/threads.hpp"
 
 namespace orbweaver::spider {
 
-inline constexpr std::array<std::string_view, 2> kSkeletonKinds{"body", "leg"};
-
-/// The bones of creatures as lines, to be seen: from the head through the thorax to the abdomen's end, and of
-/// each leg.
-class Skeleton {
-public:
-    Skeleton() = default;
-    Skeleton(const Species& species, std::size_t count);
-    void pose(const Conduct& conduct, std::span<const CreatureState> creatures) noexcept;
-
-    std::span<const Vec3> points() const noexcept { return points_; }
-    std::span<const ThreadSegment> segments() const noexcept { return segments_; }
-    std::size_t memory_bytes() const noexcept {
-        return points_.capacity() * sizeof(Vec3) + segments_.capacity() * sizeof(ThreadSegment);
-    }
-
-private:
-    std::vector<Vec3> points_;  ///< m; of each creature: 4 of the body, then kBones + 1 of each leg
-    std::vector<ThreadSegment> segments_;
+/// Bones of a creature: those of its body, then kBones of each leg. Head, thorax and abdomen are its backbone;
+/// chelicerae and palps hang on the head, which does not turn against the thorax: a spider's are one.
+enum BodyBone : std::size_t {
+    kThorax,
+    kHead,
+    kAbdomen,
+    kRightChelicera,
+    kLeftChelicera,
+    kRightPalp,
+    kLeftPalp,
+    kBodyBones,
 };
+inline std::size_t bone_count(const Species& species) noexcept {
+    return kBodyBones + kBones * species.limbs.size();
+}
+
+/// Where a bone begins, m, and how it lies, body frame: x along it, of legs, palps and chelicerae z across.
+struct BonePlace {
+    Vec3 at;
+    Frame axes;
+};
+
+/// How the joints of a creature stand, rad.
+struct SkeletonPose {
+    double bend = 0;                     ///< of the abdomen, up
+    std::array<double, 2> palps{};       ///< right, left: up
+    std::array<double, 2> chelicerae{};  ///< right, left: apart
+    std::span<const LegPose> legs;
+};
+
+/// Palps and chelicerae move while it stands at random, as twitch() says.
+SkeletonPose skeleton_pose(const Conduct& conduct, const CreatureState& state) noexcept;
+/// As its species has it.
+std::vector<LegPose> rest_poses(const Species& species);
+
+/// All bone_count() of them.
+void place_bones(const Species& species, const SkeletonPose& pose, std::span<BonePlace> places) noexcept;
 
 }  // namespace orbweaver::spider

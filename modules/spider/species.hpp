@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -13,6 +14,12 @@ namespace orbweaver::spider {
 
 inline constexpr std::size_t kMaxLegs = 16;
 
+/// A part that has a length and a thickness, m; length 0: there is none.
+struct Rod {
+    double length = 0;
+    double thickness = 0;
+};
+
 /// Frame of a body: the thorax's middle is the origin, x forward, y up, z to the right. m.
 struct Body {
     Vec3 head;  ///< length, height, width
@@ -20,6 +27,33 @@ struct Body {
     Vec3 abdomen;
     double bend_min = 0;  ///< rad; between thorax and abdomen, up is positive
     double bend_max = 0;
+    double waist = 0;     ///< m, thickness between thorax and abdomen
+    Rod chelicera, palp;  ///< of each side, on the head
+};
+
+/// How it walks where a scene asks for nothing else: see PaceRange.
+struct Walk {
+    std::string gait;                ///< as find_gait() knows it
+    double speed = 0;                ///< m/s, at most
+    std::array<double, 2> duty{};    ///< of a cycle that a foot stands: at rest, at top speed
+    std::array<double, 2> stride{};  ///< m, of the body in a cycle: the same
+};
+
+/// An eye, m, body frame.
+struct Eye {
+    Vec3 at;
+    double radius = 0;
+};
+
+/// What it looks like. Shades are sRGB, [0, 1].
+struct Coat {
+    double leg = 0;       ///< m, thickness of a femur
+    double hair = 0;      ///< m, length; 0: none
+    double gloss = 0.25;  ///< 1, of carapace and legs: 0 dull, 1 polished
+    Vec3 carapace{0.45, 0.36, 0.28}, abdomen{0.48, 0.39, 0.31}, legs{0.45, 0.36, 0.28};
+    Vec3 marks{0.2, 0.15, 0.11};  ///< bands of legs, the abdomen's pattern
+    Vec3 chelicerae{0.25, 0.17, 0.12};
+    std::vector<Eye> eyes;  ///< of the right side; the left one is its mirror
 };
 
 /// A leg and where it is on the body.
@@ -38,6 +72,8 @@ struct Species {
     std::string name;
     Body body;
     BodyShape shape;          ///< of the body
+    Walk walk;
+    Coat coat;
     std::vector<Limb> limbs;  ///< R1 L1 R2 L2 ...
     std::size_t groups = 0;   ///< one more than the largest group
     double height = 0;        ///< m; the thorax's middle above the feet at rest, on average

@@ -9,8 +9,8 @@
 #include "plan/table_reader.hpp"
 #include "rotor.hpp"
 #include "scene/toml_reader.hpp"
-#include "scene/units.hpp"
 #include "species.hpp"
+#include "species_fields.hpp"
 
 namespace orbweaver::spider {
 
@@ -18,46 +18,6 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kMostTilt = 80 * kPi / 180;  // at 90 degrees yaw and pitch turn about the same axis
-
-/// A number of `unit`, within [min, max]. A fault, and nothing, when it is not.
-std::optional<double> read_quantity(const Node& node, const std::string& key, const char* unit, double min,
-                                    double max, Diagnostics& faults) {
-    std::optional<double> value;
-    if (const auto* number = std::get_if<double>(&node.value)) value = *number;
-    if (const auto* integer = std::get_if<std::int64_t>(&node.value)) value = static_cast<double>(*integer);
-    if (const auto* text = std::get_if<std::string>(&node.value)) {
-        const auto quantity = parse_quantity(*text);
-        const Unit wanted = *parse_unit(unit);
-        if (quantity && !quantity->has_unit) value = quantity->value;
-        if (quantity && quantity->has_unit && quantity->unit.same_dimension(wanted))
-            value = convert(*quantity, wanted);
-    }
-    if (value && std::isfinite(*value) && *value >= min && *value <= max) return value;
-    faults.push_back({node.where, fmt::format("'{}' is {}", key, show(node)),
-                      fmt::format("{:.4g} to {:.4g}{}", min, max,
-                                  unit == std::string_view("1") ? "" : std::string(" ") + unit),
-                      ""});
-    return std::nullopt;
-}
-
-/// As many numbers as `into` has; it stays as it is where there is a fault.
-template <std::size_t n>
-bool read_quantities(const Node& node, const std::string& key, const char* unit, double min, double max,
-                     std::array<double, n>& into, Diagnostics& faults) {
-    const Array* array = node.array();
-    if (array == nullptr || array->size() != n) {
-        faults.push_back(
-            {node.where, fmt::format("'{}' is {}", key, show(node)), fmt::format("an array of {}", n), ""});
-        return false;
-    }
-    bool whole = true;
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto value = read_quantity((*array)[i], key, unit, min, max, faults);
-        if (value) into[i] = *value;
-        whole = whole && value.has_value();
-    }
-    return whole;
-}
 
 /// What a file says about one joint, rad, and where.
 struct JointText {
@@ -77,9 +37,16 @@ public:
         species.name = name;
         TableReader reader(root, faults_, "a species");
         if (const Node* body = table(reader, "body", root)) read_body(*body, species.body);
+        if (const Node* walk = table(reader, "walk", root)) read_walk(*walk, species.walk, faults_);
         JointTexts common;
         if (const Node* joints = table(reader, "joints", root)) read_joints(*joints, common);
         read_legs(reader.take("legs"), root, common, species);
+        if (const Node* coat = reader.take("coat")) {
+            if (coat->table() != nullptr)
+                read_coat(*coat, species.coat, faults_);
+            else
+                reader.wrong(*coat, "coat", "a table");
+        }
         reader.finish();
         return species;
     }
@@ -97,7 +64,7 @@ private:
     }
 
     void missing(const Location& where, const std::string& key, const char* expected) {
-        faults_.push_back({where, fmt::format("'{}' is missing", key), expected, ""});
+        report_missing(where, key, expected, faults_);
     }
 
     void read_size(TableReader& reader, const Node& table, const char* key, Vec3& into) {
@@ -107,19 +74,33 @@ private:
         if (read_quantities(*node, key, "m", 1e-6, 10, size, faults_)) into = {size[0], size[1], size[2]};
     }
 
+    void read_rod(TableReader& reader, const char* key, Rod& into) {
+        const Node* node = reader.take(key);
+        std::array<double, 2> size{};
+        if (node != nullptr && read_quantities(*node, key, "m", 1e-6, 10, size, faults_))
+            into = {size[0], size[1]};
+    }
+
     void read_body(const Node& node, Body& body) {
         TableReader reader(node, faults_, "a body");
         read_size(reader, node, "head", body.head);
         read_size(reader, node, "thorax", body.thorax);
         read_size(reader, node, "abdomen", body.abdomen);
+        body.waist = 0.25 * std::min(body.thorax.z, body.abdomen.z);
+        if (const Node* waist = reader.take("waist"))
+            body.waist = read_quantity(*waist, "waist", "m", 1e-6, 10, faults_).value_or(0);
+        read_rod(reader, "chelicerae", body.chelicera);
+        read_rod(reader, "palps", body.palp);
         if (const Node* bend = reader.take("bend")) {
             std::array<double, 2> range{};
             if (read_quantities(*bend, "bend", "rad", -kPi / 2, kPi / 2, range, faults_)) {
                 body.bend_min = range[0];
                 body.bend_max = range[1];
-                if (range[0] > range[1])
+                if (!(range[0] <= 0 && 0 <= range[1]))
                     faults_.push_back(
-                        {bend->where, "'bend' ends below where it begins", "the smaller angle first", ""});
+                        {bend->where,
+                         fmt::format("'bend' is {:.1f} to {:.1f} deg", degrees(range[0]), degrees(range[1])),
+                         "0, a straight back, within it", ""});
             }
         }
         reader.finish();
@@ -298,6 +279,8 @@ std::optional<Species> read_species(const Node& root, const std::string& name, D
     Species species = SpeciesReader(found).read(root, name);
     faults.insert(faults.end(), found.begin(), found.end());
     if (!found.empty()) return std::nullopt;
+    constexpr double kThickness = 0.031;  // of a leg's length
+    if (species.coat.leg == 0) species.coat.leg = kThickness * mean_leg_length(species);
     species.shape = shape_of(species.body);
     for (Limb& limb : species.limbs) {
         limb.stance = stance_of(limb);

@@ -9,19 +9,18 @@
 #include "leg_ways.hpp"
 #include "manifest_text.hpp"
 #include "neighbors.hpp"
-#include "orbweaver/contracts/threads.hpp"
+#include "orbweaver/contracts/skins.hpp"
 #include "orbweaver/contracts/workers.hpp"
 #include "orbweaver/entry.hpp"
-#include "skeleton.hpp"
+#include "sketch.hpp"
+#include "skin.hpp"
 
 namespace orbweaver::spider {
 namespace {
 
-PaceRange pace_of(const Options& options, const Species& species) {
-    constexpr double kLegsASecond = 3, kShortest = 0.2, kLongest = 0.55;  // of a leg
-    const double leg = mean_leg_length(species);
-    PaceRange pace{options.has("speed") ? options.number("speed") : kLegsASecond * leg, kShortest * leg,
-                   kLongest * leg, 0.75, 0.62};
+PaceRange pace_of(const Options& options, const Walk& walk) {
+    PaceRange pace{options.has("speed") ? options.number("speed") : walk.speed, walk.stride[0], walk.stride[1],
+                   walk.duty[0], walk.duty[1]};
     if (options.has("duty")) pace.slow_duty = pace.fast_duty = options.number("duty");
     return pace;
 }
@@ -30,11 +29,11 @@ Conduct conduct_of(const Host& host, const Species& species) {
     const Options& options = host.options();
     Conduct conduct;
     conduct.species = &species;
-    conduct.gait = find_gait(options.text("gait"));
+    conduct.gait = find_gait(options.has("gait") ? options.text("gait") : species.walk.gait);
     conduct.path = find_stride_path(options.text("path"));
     conduct.solver = find_leg_solver(options.text("ik"));
     conduct.footholds = options.text("footholds") == "rays" ? FootholdWay::rays : FootholdWay::surface;
-    conduct.pace = pace_of(options, species);
+    conduct.pace = pace_of(options, species.walk);
     conduct.wander.displacement = options.number("wander.displacement");
     conduct.wander.rate = options.number("wander.rate");
     conduct.rests = options.flag("rests");
@@ -50,7 +49,7 @@ std::vector<Leg> legs_of(const Species& species) {
 }
 
 /// One [spider] table: creatures of one kind.
-class SpiderModule final : public Module, public Threads {
+class SpiderModule final : public Module, public Skins, public Sketch {
 public:
     void attach(Host& host) override {
         Diagnostics faults;
@@ -62,16 +61,17 @@ public:
         workers_ = host.find<Workers>();
         conduct_ = conduct_of(host, species_);
         if (host.options().text("ik") == "half_jacobian") conduct_.lanes = &lanes_.emplace(legs_of(species_));
+        debug_ = host.options().flag("debug");
         const auto count = static_cast<std::size_t>(host.options().integer("count"));
         creatures_.resize(count);
         measures_.resize(count);
-        skeleton_ = Skeleton(species_, count);
         make_state(host, count);
         if (!place(host)) return;
         keep_state();
-        host.provide<Threads>(*this);
         ways_.emplace(species_);
         host.provide<ReachWays>(*ways_);
+        host.provide<Skins>(*this);
+        host.provide<Sketch>(*this);
     }
 
     void run(Phase, const orbweaver::Frame& frame) override {
@@ -85,12 +85,12 @@ public:
     void restored() override {
         for (std::size_t i = 0; i < creatures_.size(); ++i)
             read_numbers(&numbers_[i * per_creature_], species_.limbs.size(), creatures_[i]);
-        is_posed_ = false;
     }
 
     void report(ModuleReport& report) override {
         report.memory_bytes = creatures_.capacity() * (sizeof(CreatureState) + sizeof(CreatureMeasures)) +
-                              neighbors_.memory_bytes() + skeleton_.memory_bytes();
+                              neighbors_.memory_bytes() + moves_.capacity() * sizeof(SkinMove) +
+                              lines_.capacity() * sizeof(SketchLine) + (skin_ ? skin_->memory_bytes() : 0);
         const CreatureMeasures all = sum_of(measures_);
         const double feet = static_cast<double>(species_.limbs.size());
         const double frames = static_cast<double>(std::max<std::uint64_t>(1, all.frames));
@@ -113,15 +113,29 @@ public:
         report.measure("distance_walked_m", all.distance);
     }
 
-    /// Bones are posed when somebody wants to see them.
-    std::span<const Vec3> points() const noexcept override {
-        if (!is_posed_) skeleton_.pose(conduct_, creatures_);
-        is_posed_ = true;
-        return skeleton_.points();
+    SkinMesh mesh() override {
+        if (!skin_) skin_.emplace(species_, RandomStream{0, species_.name});
+        return skin_->mesh();
     }
-    std::span<const ThreadSegment> segments() const noexcept override { return skeleton_.segments(); }
-    std::span<const std::string_view> kinds() const noexcept override { return kSkeletonKinds; }
-    std::uint64_t revision() const noexcept override { return 0; }
+
+    bool wanted() const noexcept override { return debug_; }
+
+    std::span<const SketchLine> lines() override {
+        lines_.clear();
+        for (const CreatureState& creature : creatures_) add_sketch(*surface_, conduct_, creature, lines_);
+        return lines_;
+    }
+
+    std::span<const SkinMove> moves() override {
+        const std::size_t bones = mesh().rods.size();
+        moves_.resize(creatures_.size() * bones);
+        for (std::size_t i = 0; i < creatures_.size(); ++i) {
+            const auto of_one = std::span(moves_).subspan(i * bones, bones);
+            skin_->move(skeleton_pose(conduct_, creatures_[i]), of_one);
+            to_world(pose_of(conduct_, creatures_[i]), of_one);
+        }
+        return moves_;
+    }
 
 private:
     static constexpr std::size_t kGrain = 8;
@@ -201,21 +215,22 @@ private:
             for (std::size_t leg = 0; leg < legs; ++leg) foot_[i * legs + leg] = creatures_[i].feet[leg].place;
             write_numbers(creatures_[i], legs, &numbers_[i * per_creature_]);
         });
-        is_posed_ = false;
     }
 
     Species species_;
     std::optional<LegLanes> lanes_;
     std::optional<LegWays> ways_;
     Conduct conduct_;
+    bool debug_ = false;
     const Surface* surface_ = nullptr;
     Workers* workers_ = nullptr;
     std::vector<RandomStream> random_;
     std::vector<CreatureState> creatures_;
     std::vector<CreatureMeasures> measures_;
     Neighbors neighbors_;
-    mutable Skeleton skeleton_;
-    mutable bool is_posed_ = false;
+    std::optional<Skin> skin_;  // made when somebody looks
+    std::vector<SkinMove> moves_;
+    std::vector<SketchLine> lines_;
     std::span<Vec3> position_, up_, forward_, foot_;  // state
     std::span<double> numbers_;                       // state
     std::size_t per_creature_ = 0;

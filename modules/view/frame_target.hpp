@@ -24,6 +24,8 @@ public:
     void copy_depths_to(const FrameTarget& target) const;
     /// Everything infinitely far, where depths are kept; it must be bound.
     void clear_depths() const;
+    /// Its depths as a texture, 0 when none are kept. Not while it is drawn on.
+    GLuint depths() const noexcept { return depths_.name(); }
     GLuint framebuffer() const noexcept { return framebuffer_.name(); }
     /// Writes the picture into `rgb`: 3 bytes a pixel, rows from the top.
     void read(std::vector<std::uint8_t>& rgb);

@@ -2,6 +2,7 @@
 
 #include <GL/glcorearb.h>
 
+#include <cstddef>
 #include <utility>
 
 #include "orbweaver/contracts/canvas.hpp"
@@ -24,16 +25,19 @@ namespace orbweaver::view {
     X(PFNGLCOMPILESHADERPROC, CompileShader)                     \
     X(PFNGLCREATEPROGRAMPROC, CreateProgram)                     \
     X(PFNGLCREATESHADERPROC, CreateShader)                       \
+    X(PFNGLCULLFACEPROC, CullFace)                               \
     X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                     \
     X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)           \
     X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                     \
     X(PFNGLDELETESHADERPROC, DeleteShader)                       \
     X(PFNGLDELETETEXTURESPROC, DeleteTextures)                   \
     X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)           \
+    X(PFNGLDEPTHFUNCPROC, DepthFunc)                             \
     X(PFNGLDEPTHMASKPROC, DepthMask)                             \
     X(PFNGLDISABLEPROC, Disable)                                 \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                           \
     X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)         \
+    X(PFNGLDRAWELEMENTSINSTANCEDPROC, DrawElementsInstanced)     \
     X(PFNGLENABLEPROC, Enable)                                   \
     X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray) \
     X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)       \
@@ -56,6 +60,7 @@ namespace orbweaver::view {
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                           \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                     \
     X(PFNGLUNIFORM1FPROC, Uniform1f)                             \
+    X(PFNGLUNIFORM1IPROC, Uniform1i)                             \
     X(PFNGLUNIFORM2FPROC, Uniform2f)                             \
     X(PFNGLUNIFORM3FPROC, Uniform3f)                             \
     X(PFNGLUNIFORM4FPROC, Uniform4f)                             \
@@ -63,6 +68,7 @@ namespace orbweaver::view {
     X(PFNGLUSEPROGRAMPROC, UseProgram)                           \
     X(PFNGLVERTEXATTRIBDIVISORPROC, VertexAttribDivisor)         \
     X(PFNGLVERTEXATTRIBIPOINTERPROC, VertexAttribIPointer)       \
+    X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)         \
     X(PFNGLVIEWPORTPROC, Viewport)
 
 /// GL as one canvas offers it: a table of functions, without the "gl" in front.
@@ -74,6 +80,11 @@ struct Gl {
 
 /// Throws Fault(internal) naming every function that the canvas lacks.
 Gl load_gl(const Canvas& canvas);
+
+/// A place in the bound buffer, as GL asks for it.
+inline const void* buffer_offset(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
+}
 
 enum class ObjectKind { buffer, framebuffer, program, texture, vertex_array };
 

@@ -57,18 +57,6 @@ Edge edge_of(const std::array<std::uint32_t, 3>& face, std::size_t edge) {
 
 }  // namespace
 
-SkyLight sky_light(const CubeSky& sky) {
-    SkyLight light{};
-    for (std::size_t f = 0; f < kFaces; ++f) {
-        std::array<double, 3> sum{};
-        const auto& face = sky.faces[f];
-        for (std::size_t i = 0; i < face.size(); ++i) sum[i % 3] += face[i];
-        for (std::size_t c = 0; c < 3; ++c)
-            light[f][c] = static_cast<float>(sum[c] / (static_cast<double>(face.size()) / 3));
-    }
-    return light;
-}
-
 std::vector<std::uint32_t> corner_codes(const Surface& surface) {
     const auto faces = surface.faces();
     const auto polygons = surface.polygons();

@@ -6,7 +6,7 @@
 #include "camera.hpp"
 #include "gl.hpp"
 #include "orbweaver/contracts/surface.hpp"
-#include "sky.hpp"
+#include "sky_light.hpp"
 
 namespace orbweaver::view {
 
@@ -15,10 +15,6 @@ struct SurfaceLook {
     Vec3 color;        ///< sRGB shade in full light, [0, 1]
     double edges = 0;  ///< opacity of the lines between its polygons, [0, 1]
 };
-
-/// The mean light of each face of a sky, linear: what comes from there, wherever exactly.
-using SkyLight = std::array<std::array<float, 3>, kFaces>;
-SkyLight sky_light(const CubeSky& sky);
 
 /// A code for each corner of each face: vertex * 8 + a bit for each edge of the face (from corner e to corner
 /// e + 1) that its polygon ends at. Edges within a polygon are not of the source.

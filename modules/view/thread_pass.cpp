@@ -1,12 +1,15 @@
 #include "thread_pass.hpp"
 
+#include <string>
+
+#include "line_source.hpp"
 #include "picture/color.hpp"
 #include "shader.hpp"
 
 namespace orbweaver::view {
 namespace {
 
-constexpr const char* kVertex = R"(#version 330 core
+constexpr const char* kVertex = R"(
 uniform samplerBuffer points;
 uniform mat4 view_projection;
 uniform vec2 half_size;     // px
@@ -18,26 +21,15 @@ out float fill;             // opacity left to a thread thinner than a pixel
 void main() {
     vec4 a = view_projection * vec4(texelFetch(points, int(thread.x)).xyz, 1);
     vec4 b = view_projection * vec4(texelFetch(points, int(thread.y)).xyz, 1);
-    float near = width_near.y;
     across = reach = fill = 0;
     gl_Position = vec4(2, 2, 2, 1);
-    if (a.w < near && b.w < near) return;
-    if (a.w < near) a = mix(a, b, (near - a.w) / (b.w - a.w));
-    if (b.w < near) b = mix(b, a, (near - b.w) / (a.w - b.w));
-
-    vec2 pa = a.xy / a.w * half_size;
-    vec2 pb = b.xy / b.w * half_size;
-    float length_px = distance(pa, pb);
-    vec2 along = length_px > 1e-5 ? (pb - pa) / length_px : vec2(1, 0);
-    float side = (gl_VertexID & 1) == 0 ? -1 : 1;
+    if (!cut_near(a, b, width_near.y)) return;
+    vec2 widths = uintBitsToFloat(thread.w) * width_near.x / vec2(a.w, b.w);
+    vec2 reaches = 0.5 * (max(widths, 1) + 1);
+    gl_Position = line_corner(a, b, half_size, reaches, across);
     bool at_a = gl_VertexID < 2;
-    vec4 end = at_a ? a : b;
-    float width = uintBitsToFloat(thread.w) * width_near.x / end.w;
-    reach = 0.5 * (max(width, 1) + 1);
-    fill = min(width, 1);
-    across = side * reach;
-    vec2 corner = (at_a ? pa : pb) + across * vec2(-along.y, along.x);
-    gl_Position = vec4(corner / half_size, end.z / end.w, 1);
+    reach = at_a ? reaches.x : reaches.y;
+    fill = min(at_a ? widths.x : widths.y, 1);
 }
 )";
 
@@ -60,7 +52,8 @@ ThreadPass::ThreadPass(const Gl& gl, const Threads& threads, const ThreadLook& l
     : gl_(gl),
       threads_(threads),
       look_(look),
-      program_(make_program(gl, "thread", kVertex, kFragment)),
+      program_(make_program(gl, "thread", (std::string("#version 330 core") + kLineSource + kVertex).c_str(),
+                            kFragment)),
       vertices_(gl, ObjectKind::vertex_array),
       segment_buffer_(gl, ObjectKind::buffer),
       point_buffer_(gl, ObjectKind::buffer),

@@ -9,6 +9,9 @@
 #include "orbweaver/contracts/input.hpp"
 #include "orbweaver/contracts/picture_source.hpp"
 #include "orbweaver/entry.hpp"
+#include "shade_pass.hpp"
+#include "sketch_pass.hpp"
+#include "skin_pass.hpp"
 #include "sky_pass.hpp"
 #include "sky_source.hpp"
 #include "surface_pass.hpp"
@@ -37,6 +40,15 @@ ThreadLook asked_look(const Options& options) {
     return {options.number("thread.width"), options.vector("thread.color"), options.number("thread.alpha")};
 }
 
+/// Bodies of one kind.
+struct SkinView {
+    SkinMoves moves;
+    ShadePass shade;
+    SkinPass pass;
+    SkinView(const Gl& gl, Skins& skins, const SkyLight& light, const KeyLight& key)
+        : moves(gl, skins), shade(gl, skins.mesh(), key), pass(gl, skins.mesh(), light, key) {}
+};
+
 /// Draws one picture each time the host presents.
 class View final : public Module, public PictureSource {
 public:
@@ -56,6 +68,8 @@ private:
     void obey_input();
     void follow_window();
     void draw_backdrop();
+    void draw_skins();
+    bool deep() const noexcept { return surface_ || !skins_.empty(); }
     int fineness(Size size) const;
 
     Canvas* canvas_ = nullptr;
@@ -65,7 +79,10 @@ private:
     std::optional<SkyPass> sky_;
     std::optional<SurfacePass> surface_;
     std::vector<std::unique_ptr<ThreadPass>> threads_;
+    std::vector<std::unique_ptr<SketchPass>> sketches_;
+    std::vector<std::unique_ptr<SkinView>> skins_;
     std::optional<FrameTarget> backdrop_;  // sky and surface: they change only with the camera
+    std::optional<FrameTarget> bodies_;    // the same with what has a skin, where anything has
     std::optional<FrameTarget> picture_;
     bool backdrop_stale_ = true;
     Camera home_;
@@ -99,21 +116,29 @@ void View::make_passes(Host& host) {
     sky_.emplace(gl_, sky);
     if (const Surface* surface = host.find<Surface>())
         surface_.emplace(gl_, *surface, asked_surface_look(host.options()), sky);
+    const auto skins = host.collect<Skins>();
+    const KeyLight key = skins.empty() ? KeyLight{} : key_light(sky);
+    for (Skins* each : skins) skins_.push_back(std::make_unique<SkinView>(gl_, *each, sky_light(sky), key));
     for (const Threads* threads : host.collect<Threads>())
         threads_.push_back(std::make_unique<ThreadPass>(gl_, *threads, asked_look(host.options())));
+    for (Sketch* sketch : host.collect<Sketch>())
+        if (sketch->wanted()) sketches_.push_back(std::make_unique<SketchPass>(gl_, *sketch));
 }
 
-/// Pixels of the backdrop a pixel of the picture, along a side: the steps of a surface's rim are smoothed.
+/// Pixels of the backdrop a pixel of the picture, along a side: the steps of surfaces' and skins' rims are
+/// smoothed.
 int View::fineness(Size size) const {
     GLint largest = 0;
     gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    return surface_ && 2 * std::max(size.width, size.height) <= largest ? 2 : 1;
+    return deep() && 2 * std::max(size.width, size.height) <= largest ? 2 : 1;
 }
 
 void View::make_targets(Size size) {
-    const auto depth = surface_ ? FrameTarget::Depth::kept : FrameTarget::Depth::none;
+    const auto depth = deep() ? FrameTarget::Depth::kept : FrameTarget::Depth::none;
+    const Size fine{fineness(size) * size.width, fineness(size) * size.height};
     picture_.emplace(gl_, size.width, size.height, depth);
-    backdrop_.emplace(gl_, fineness(size) * size.width, fineness(size) * size.height, depth);
+    backdrop_.emplace(gl_, fine.width, fine.height, depth);
+    if (!skins_.empty()) bodies_.emplace(gl_, fine.width, fine.height, depth);
     backdrop_stale_ = true;
 }
 
@@ -154,14 +179,26 @@ void View::draw_backdrop() {
     if (backdrop_stale_) {
         backdrop_->bind();
         sky_->draw(camera_, static_cast<double>(width()) / height());
-        if (surface_) {
-            backdrop_->clear_depths();
-            surface_->draw(camera_, backdrop_->width(), backdrop_->height());
-        }
+        if (deep()) backdrop_->clear_depths();
+        if (surface_) surface_->draw(camera_, backdrop_->width(), backdrop_->height());
         backdrop_stale_ = false;
     }
-    backdrop_->copy_to(picture_->framebuffer(), width(), height());
-    if (surface_) backdrop_->copy_depths_to(*picture_);
+    if (!skins_.empty()) draw_skins();
+    const FrameTarget& drawn = skins_.empty() ? *backdrop_ : *bodies_;
+    drawn.copy_to(picture_->framebuffer(), width(), height());
+    if (deep()) drawn.copy_depths_to(*picture_);
+}
+
+/// All shades first: bodies have none on them.
+void View::draw_skins() {
+    backdrop_->copy_to(bodies_->framebuffer(), bodies_->width(), bodies_->height());
+    backdrop_->copy_depths_to(*bodies_);
+    bodies_->bind();
+    for (const auto& each : skins_) {
+        each->moves.update();
+        each->shade.draw(each->moves, backdrop_->depths(), camera_, bodies_->width(), bodies_->height());
+    }
+    for (const auto& each : skins_) each->pass.draw(each->moves, camera_, bodies_->width(), bodies_->height());
 }
 
 void View::run(Phase, const Frame&) {
@@ -170,6 +207,7 @@ void View::run(Phase, const Frame&) {
     draw_backdrop();
     picture_->bind();
     for (const auto& each : threads_) each->draw(camera_, width(), height());
+    for (const auto& each : sketches_) each->draw(camera_, width(), height());
     picture_->copy_to(0, canvas_->width(), canvas_->height());
     canvas_->present();
     rgb_stale_ = true;
@@ -186,7 +224,11 @@ void View::report(ModuleReport& report) {
     std::size_t bytes =
         sky_->memory_bytes() + backdrop_->memory_bytes() + picture_->memory_bytes() + rgb_.capacity();
     if (surface_) bytes += surface_->memory_bytes();
+    if (bodies_) bytes += bodies_->memory_bytes();
+    for (const auto& each : skins_)
+        bytes += each->moves.memory_bytes() + each->shade.memory_bytes() + each->pass.memory_bytes();
     for (const auto& each : threads_) bytes += each->memory_bytes();
+    for (const auto& each : sketches_) bytes += each->memory_bytes();
     report.memory_bytes = bytes;
     report.measure("pictures", pictures_);
     report.measure("width", static_cast<std::int64_t>(width()));

@@ -30,6 +30,14 @@ groups = [0, 1]
 bones = { coxa = "1 mm", femur = "5 mm" }
 )";
 
+const std::string kWalk = R"(
+[walk]
+gait = "wave"
+speed = "3 cm/s"
+duty = [0.8, 0.6]
+stride = ["1 mm", "4 mm"]
+)";
+
 std::vector<std::string> faults_of(const std::string& text) {
     Diagnostics faults;
     const auto species = read_species_text(text, "bad.toml", faults);
@@ -45,7 +53,7 @@ Vec3 mirrored(const Vec3& v) { return {v.x, v.y, -v.z}; }
 
 TEST_CASE("a species file gives a pair of legs for each of its tables", "[unit]") {
     Diagnostics faults;
-    const auto species = read_species_text(kBody + kJoints3 + kPair, "small", faults);
+    const auto species = read_species_text(kBody + kWalk + kJoints3 + kPair, "small", faults);
     REQUIRE(species);
     CHECK(species->name == "small");
     CHECK(species->body.abdomen == Vec3{0.008, 0.005, 0.006});
@@ -63,6 +71,35 @@ TEST_CASE("a species file gives a pair of legs for each of its tables", "[unit]"
     for (std::size_t j = 4; j < kJoints; ++j) CHECK((right.leg.min[j] == 0 && right.leg.max[j] == 0));
     const double up = 0.001 * std::sin(0.5) + 0.005 * std::sin(-0.5);
     CHECK(species->height == Approx(-0.0005 - std::cos(0.1) * up));
+    CHECK(species->walk.gait == "wave");
+    CHECK(species->walk.speed == Approx(0.03));
+    CHECK(species->walk.duty == std::array<double, 2>{0.8, 0.6});
+    CHECK(species->walk.stride == std::array<double, 2>{0.001, 0.004});
+    CHECK(species->body.palp.length == 0);
+    CHECK(species->coat.hair == 0);
+    CHECK(species->coat.leg > 0);
+}
+
+TEST_CASE("a species file says what its creatures look like", "[unit]") {
+    Diagnostics faults;
+    const auto species = read_species_text(
+        kBody + "palps = [\"3 mm\", \"0.4 mm\"]\nchelicerae = [0.002, 0.001]\nwaist = \"0.5 mm\"\n" + kWalk +
+            "[coat]\nleg = \"0.7 mm\"\nhair = \"1 mm\"\ngloss = 0.5\nlegs = [0.1, 0.2, 0.3]\n"
+            "eyes = [[\"4 mm\", 0, \"1 mm\", \"0.2 mm\"]]\n" +
+            kJoints3 + kPair,
+        "seen", faults);
+    REQUIRE(species);
+    CHECK(species->body.palp.length == 0.003);
+    CHECK(species->body.palp.thickness == 0.0004);
+    CHECK(species->body.chelicera.length == 0.002);
+    CHECK(species->body.waist == 0.0005);
+    CHECK(species->coat.leg == 0.0007);
+    CHECK(species->coat.hair == 0.001);
+    CHECK(species->coat.gloss == 0.5);
+    CHECK(species->coat.legs == Vec3{0.1, 0.2, 0.3});
+    REQUIRE(species->coat.eyes.size() == 1);
+    CHECK(species->coat.eyes[0].at == Vec3{0.004, 0, 0.001});
+    CHECK(species->coat.eyes[0].radius == 0.0002);
 }
 
 TEST_CASE("left legs are right legs in a mirror", "[unit]") {
@@ -107,7 +144,7 @@ TEST_CASE("creatures that are shipped stand on their feet, left and right in gro
 TEST_CASE("a leg's own joints come before those that all legs have in common", "[unit]") {
     Diagnostics faults;
     const auto species =
-        read_species_text(kBody + kJoints3 + kPair +
+        read_species_text(kBody + kWalk + kJoints3 + kPair +
                               "joints.yaw = { rest = \"-5 deg\" }\njoints.femur = { limits = [-1.6, 0] }\n",
                           "own", faults);
     REQUIRE(species);
@@ -127,28 +164,32 @@ TEST_CASE("a bad species file is told all that is wrong with it, and where", "[u
         {"nothing in it",
          "",
          {"bad.toml:1:1: 'body' is missing; expected a table",
+          "bad.toml:1:1: 'walk' is missing; expected a table",
           "bad.toml:1:1: 'joints' is missing; expected a table",
           "bad.toml:1:1: 'legs' is missing; expected [[legs]], one for each pair"}},
         {"a wrong unit, a wrong count and an unknown key",
          "[body]\nhead = [\"2 mm\", \"1 kg\", \"2 mm\"]\nthorax = [1, 2]\nabdomen = [1, 1, 1]\nwings = 2\n" +
-             kJoints3 + kPair,
+             kJoints3 + kPair + kWalk,
          {"bad.toml:2:17: 'head' is \"1 kg\"; expected 1e-06 to 10 m",
           "bad.toml:3:10: 'thorax' is an array of 2; expected an array of 3",
-          "bad.toml:5:1: a body has no key 'wings'; expected head, thorax, abdomen or bend"}},
+          "bad.toml:5:1: a body has no key 'wings'; expected head, thorax, abdomen, waist, chelicerae, palps "
+          "or bend"}},
         {"comfort outside of limits, and a tilt that meets yaw",
          kBody +
              "[joints]\nyaw = { limits = [-1, 1], comfort = [-2, 1], rest = 0 }\n"
              "tilt = { limits = [0, \"85 deg\"], comfort = [0, 0], rest = 0 }\n"
              "pitch = { limits = [0, 0], comfort = [0, 0], rest = 0, stiffness = 2 }\n"
              "femur = { limits = [0, 0], comfort = [0, 0] }\n" +
-             kPair,
+             kPair + kWalk,
          {"bad.toml:7:23: 'limits' is \"85 deg\"; expected -1.396 to 1.396 rad",
           "bad.toml:8:68: 'stiffness' is 2; expected 0 to 1",
           "bad.toml:6:7: joints.yaw has limits -57.3 to 57.3 deg, comfort -114.6 to 57.3 deg and rest 0.0 deg",
           "bad.toml:9:9: 'joints.femur.rest' is missing; expected an angle"}},
         {"legs of nothing",
          kBody + kJoints3 +
-             "[[legs]]\nbones = {}\n[[legs]]\nbase = 1\nheading = 0\ngroups = [0, 16]\nbones = { thigh = 1 }\n",
+             "[[legs]]\nbones = {}\n[[legs]]\nbase = 1\nheading = 0\ngroups = [0, 16]\nbones = { thigh = 1 "
+             "}\n" +
+             kWalk,
          {"bad.toml:11:1: 'base' is missing; expected [forward, up, right] of the right leg",
           "bad.toml:11:1: 'heading' is missing; expected an angle from forward to the right",
           "bad.toml:11:1: 'groups' is missing; expected [of the right leg, of the left]",
@@ -158,8 +199,33 @@ TEST_CASE("a bad species file is told all that is wrong with it, and where", "[u
           "bad.toml:17:9: the leg has no bones; expected at least one",
           "bad.toml:17:11: a leg's bones has no key 'thigh'; expected coxa, femur"}},
         {"no array of legs",
-         "legs = 8\n" + kBody + kJoints3,
+         "legs = 8\n" + kBody + kJoints3 + kWalk,
          {"bad.toml:1:8: 'legs' is 8; expected an array of 1 to 8 pairs"}},
+        {"a back that is never straight, and half a palp",
+         kBody + "bend = [\"5 deg\", \"20 deg\"]\npalps = [1]\n" + kJoints3 + kPair + kWalk,
+         {"bad.toml:6:9: 'palps' is an array of 1; expected an array of 2",
+          "bad.toml:5:8: 'bend' is 5.0 to 20.0 deg; expected 0, a straight back, within it"}},
+        {"nothing of a walk",
+         "[walk]\n" + kBody + kJoints3 + kPair,
+         {"bad.toml:1:1: 'gait' is missing; expected tetrapod, ripple, wave",
+          "bad.toml:1:1: 'speed' is missing; expected a speed",
+          "bad.toml:1:1: 'duty' is missing; expected [at rest, at top speed]",
+          "bad.toml:1:1: 'stride' is missing; expected [at rest, at top speed]"}},
+        {"a walk that nobody walks",
+         "[walk]\ngait = \"trot\"\nspeed = \"1 kg\"\nduty = [0.6, 0.7]\nstride = [2, 1]\nlegs = 8\n" + kBody +
+             kJoints3 + kPair,
+         {"bad.toml:2:8: 'gait' is \"trot\"; expected tetrapod, ripple, wave",
+          "bad.toml:3:9: 'speed' is \"1 kg\"; expected 1e-06 to 100 m/s",
+          "bad.toml:4:8: 'duty' is larger at top speed than at rest; expected the larger first",
+          "bad.toml:5:10: 'stride' is longer at rest than at top speed; expected the shorter first",
+          "bad.toml:6:1: a walk has no key 'legs'"}},
+        {"a coat of no stuff",
+         "[coat]\nhair = \"1 s\"\nlegs = [1, 2, 0]\neyes = [[0, 0, 0, 0], 3]\nfur = 1\n" + kBody + kJoints3 +
+             kPair + kWalk,
+         {"bad.toml:2:8: 'hair' is \"1 s\"; expected 1e-07 to 1 m",
+          "bad.toml:3:12: 'legs' is 2; expected 0 to 1",
+          "bad.toml:4:9: an eye's radius is not above 0; expected [forward, up, right, radius]",
+          "bad.toml:4:23: 'eyes' is 3; expected an array of 4", "bad.toml:5:1: a coat has no key 'fur'"}},
     };
     for (const Case& each : cases) {
         INFO(each.name);

@@ -126,11 +126,3 @@ TEST_CASE("only edges of the source's polygons are marked, the cuts within them 
         marked += static_cast<std::size_t>(std::popcount(of_branch[i] & 7));
     CHECK(marked == 4 * 6 * 8 + 2 * 6);  // 6 x 8 quads, and two hexagons
 }
-
-TEST_CASE("the light of a sky is the mean of each face", "[unit]") {
-    CubeSky sky = six_lights();
-    sky.faces[2] = {0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1};
-    const SkyLight light = sky_light(sky);
-    CHECK(light[0][1] == Approx(0.1));
-    CHECK(light[2] == std::array<float, 3>{0.5F, 0.5F, 1});
-}

@@ -8,6 +8,7 @@
 #include "orbweaver/contracts/input.hpp"
 #include "orbweaver/contracts/picture_source.hpp"
 #include "orbweaver/contracts/threads.hpp"
+#include "plates.hpp"
 #include "shapes.hpp"
 
 using namespace orbweaver;
@@ -92,6 +93,25 @@ TEST_CASE("a surface is drawn where there is one, and the camera has it in the p
     REQUIRE(bare.view.attach(bare.host));
     bare.picture();
     CHECK(drawn > bare.view.report().memory_bytes);  // no depths are kept for threads alone
+}
+
+TEST_CASE("bodies with a skin are drawn where there are any, and cost nothing where there are none",
+          "[image]") {
+    Stage bare, stage;
+    test::Plates plates({{0.5, 0.5, 0}});
+    stage.host.offer<Skins>(plates);
+    for (Stage* each : {&bare, &stage}) {
+        each->host.set("thread.color", Vec3{0, 0, 1});
+        REQUIRE(each->canvas.attach(each->host));
+        REQUIRE(each->view.attach(each->host));
+    }
+    const auto before = bare.picture(), rgb = stage.picture();
+    const auto at = [](std::size_t x, std::size_t y) { return 3 * (y * 64 + x); };
+    CHECK(rgb[at(40, 16)] > 2 * rgb[at(40, 16) + 2]);  // the plate's red, in the plain sky's light
+    CHECK(2 * rgb[at(40, 16) + 1] < before[at(40, 16) + 1]);
+    CHECK(rgb[at(32, 24) + 2] > 240);  // threads before it
+    CHECK(rgb[at(10, 40)] == before[at(10, 40)]);
+    CHECK(stage.view.report().memory_bytes > bare.view.report().memory_bytes);
 }
 
 TEST_CASE("the request's size overrides the scene's", "[unit]") {
