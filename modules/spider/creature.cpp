@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "open_way.hpp"
+#include "orbweaver/exact_math.hpp"
+
 namespace orbweaver::spider {
 namespace {
 
@@ -12,6 +15,7 @@ constexpr double kOffHome = 1.3;       // of half a stride's excursion: the same
 constexpr double kLandingTime = 0.12;  // s
 constexpr double kTurnRate = 0.5;      // of a cycle a second, of gaits that change
 constexpr double kLift = 0.3;          // of the body's height, of a swing
+constexpr double kForesight = 0.35;    // s, in which it sees borders coming and what no foot holds on
 
 double body_length(const Species& species) noexcept {
     return species.body.head.x + species.body.thorax.x + species.body.abdomen.x;
@@ -54,27 +58,58 @@ double patience(const Conduct& conduct, const CreatureState& state) noexcept {
     return std::clamp(1 - 3 * (most - 1.2), kSlowest, 1.0);
 }
 
-Vec3 wish(const Conduct& conduct, const Company& company, const Feel& feel, double reach, double dt,
-          CreatureState& state) noexcept {
-    const double careful =
-        caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest) * patience(conduct, state);
-    const Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
-                      conduct.pace.top_speed * careful};
+Vec3 wish(const Surface& surface, const Conduct& conduct, const Company& company, const Agent& agent,
+          double reach, double dt, CreatureState& state) noexcept {
+    const Behaviors& wants = conduct.behaviors;
     const double speed = norm(state.ground.velocity);
     const Vec3 ahead = speed > 0 ? state.ground.velocity / speed : state.ground.facing;
-    const std::array<Wish, 2> wishes{
-        {{wander(agent, ahead, conduct.wander, company.random, dt, state.wander), 1},
-         {keep_apart(agent, company.near, company.keep_apart), 3}}};
-    return blend(agent, wishes);
+    Vec3 wandering, along_wall;
+    if (wants.wander > 0) wandering = wander(agent, ahead, conduct.wander, company.random, dt, state.wander);
+    if (wants.follow_wall > 0)
+        along_wall =
+            follow_wall(surface, state.ground, agent, reach, wants.walls, company.random, dt, state.wall);
+    const Footing& footing = state.ground.footing;
+    const Vec3 wanted = combined(wants, agent, footing.at, company, wandering, along_wall);
+    return open_way(surface, footing, wanted, kForesight, conduct.gravity);
 }
 
-void steer(const Conduct& conduct, const Company& company, const Feel& feel, double reach, double dt,
-           CreatureState& state) noexcept {
-    if (conduct.rests) advance_pauses(conduct.pauses, company.random, dt, state.pause);
-    const Vec3 wanted = state.pause.stands ? Vec3{} : wish(conduct, company, feel, reach, dt, state);
-    const Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
-                      conduct.pace.top_speed};
+/// Turns the head as it is told; where it is to go, m/s.
+Vec3 obey(const Conduct& conduct, const Command& command, double careful, double dt, Ground& ground) noexcept {
+    const double degrees = dt * std::clamp(command.turn, -conduct.turn_rate, conduct.turn_rate);
+    const Vec3 left = cross(ground.footing.up, ground.facing);
+    ground.facing = cos_degrees(degrees) * ground.facing + sin_degrees(degrees) * left;
+    return careful * command.speed * ground.facing;
+}
+
+void steer(const Surface& surface, const Conduct& conduct, const Company& company, const Feel& feel,
+           double reach, double dt, CreatureState& state) noexcept {
+    const double careful =
+        caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest) * patience(conduct, state);
+    Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
+                conduct.pace.top_speed * careful};
+    Vec3 wanted;
+    if (company.command) {
+        wanted = obey(conduct, *company.command, careful, dt, state.ground);
+    } else {
+        if (conduct.rests) advance_pauses(conduct.pauses, company.random, dt, state.pause);
+        if (!state.pause.stands || is_hunted(conduct.behaviors, agent, company))
+            wanted = wish(surface, conduct, company, agent, reach, dt, state);
+    }
+    agent.top_speed = conduct.pace.top_speed;
     state.ground.velocity = accelerate(agent, control(agent, wanted, conduct.response, conduct.strength), dt);
+}
+
+/// Moves, but not onto what no foot holds on: there it turns back as at a border.
+void move_where_it_holds(const Surface& surface, const Conduct& conduct, double dt, Ground& ground,
+                         CreatureMeasures& measures) noexcept {
+    Ground moved = ground;
+    if (move(surface, dt, moved) == MoveEnd::lost) ++measures.lost_frames;
+    if (holds(surface.grip(moved.footing.at.face), moved.footing.up, conduct.gravity)) {
+        ground = moved;
+        return;
+    }
+    ground.velocity = -1 * ground.velocity;
+    ++measures.turned_back;
 }
 
 void begin_swing(const Surface& surface, const Conduct& conduct, const Limb& limb, const BodyPose& body,
@@ -170,6 +205,20 @@ struct Standoff {
     Vec3 away;  ///< m, from the surface to it
 };
 
+/// Whether the way between two points crosses the surface an odd number of times: past a rim it may go in and
+/// out again.
+bool lies_beyond(const Surface& surface, Vec3 from, const Vec3& to) noexcept {
+    constexpr int kMost = 8;
+    bool beyond = false;
+    for (int i = 0; i < kMost; ++i) {
+        const SurfaceHit hit = surface.first_hit({from, to - from, 1});
+        if (hit.answer != Answer::found) break;
+        beyond = !beyond;
+        from += (hit.distance + 1e-6) * (to - from);
+    }
+    return beyond;
+}
+
 Standoff standoff_of(const Surface& surface, const Conduct& conduct, const CreatureState& state) noexcept {
     constexpr double kOff = 1e-6;  // of the height, so that a ray does not begin in the ground
     const double height = conduct.species->height;
@@ -178,7 +227,7 @@ Standoff standoff_of(const Surface& surface, const Conduct& conduct, const Creat
     if (nearest.answer != Answer::found) return {height, {}};
     const Footing& ground = state.ground.footing;
     const Vec3 start = ground.position + kOff * height * ground.up;
-    const bool beyond = surface.first_hit({start, middle - start, 1}).answer == Answer::found;
+    const bool beyond = lies_beyond(surface, start, middle);
     return {beyond ? -nearest.distance : nearest.distance, middle - surface.position(nearest.at)};
 }
 
@@ -240,10 +289,10 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
     const Species& species = *conduct.species;
     const double reach = std::max(body_length(species), 0.6 * mean_leg_length(species));
     const Feel feel = feel_ahead(surface, state.ground, reach);
-    steer(conduct, company, feel, reach, dt, state);
-    if (move(surface, dt, state.ground) == MoveEnd::lost) ++measures.lost_frames;
+    steer(surface, conduct, company, feel, reach, dt, state);
+    move_where_it_holds(surface, conduct, dt, state.ground, measures);
     const double most = conduct.turn_rate * dt;
-    face_ahead(most, state.ground);
+    if (!company.command) face_ahead(most, state.ground);
     const Vec3 before = state.turn.up;
     turn_up(feel.up, state.ground.facing, conduct.turn_curve, conduct.turn_steps, most, state.turn);
     keep_off(surface, conduct, state);
@@ -294,6 +343,7 @@ CreatureMeasures sum_of(std::span<const CreatureMeasures> all) noexcept {
     for (const CreatureMeasures& each : all) {
         sum.frames += each.frames;
         sum.lost_frames += each.lost_frames;
+        sum.turned_back += each.turned_back;
         sum.feet_down += each.feet_down;
         sum.steps += each.steps;
         sum.empty_steps += each.empty_steps;

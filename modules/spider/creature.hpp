@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "behaviors.hpp"
 #include "footholds.hpp"
 #include "gait.hpp"
 #include "ground.hpp"
@@ -28,6 +29,7 @@ struct Conduct {
     const LegSolver* solver = nullptr;
     FootholdWay footholds = FootholdWay::surface;
     PaceRange pace;
+    Behaviors behaviors;
     WanderSettings wander;
     PauseSettings pauses;
     bool rests = true;       ///< stops at random
@@ -53,6 +55,7 @@ struct CreatureState {
     UpTurn turn;
     Vec3 shift;  ///< m, by which the body keeps off what it would come too near to
     WanderState wander;
+    WallState wall;
     PauseState pause;
     double phase = 0;
     std::array<double, kMaxLegs> start{}, progress{};
@@ -73,6 +76,7 @@ Vec3 from_world(const BodyPose& pose, const Vec3& point) noexcept;
 struct CreatureMeasures {
     std::uint64_t frames = 0;
     std::uint64_t lost_frames = 0;   ///< in which the surface had no answer
+    std::uint64_t turned_back = 0;   ///< frames, before what no foot holds on
     std::uint64_t feet_down = 0;     ///< summed over frames
     std::uint64_t steps = 0;         ///< of feet
     std::uint64_t empty_steps = 0;   ///< that found no foothold
@@ -90,14 +94,7 @@ struct CreatureMeasures {
 void place_creature(const Surface& surface, const Conduct& conduct, const Footing& footing,
                     CreatureState& state) noexcept;
 
-/// What a creature lives among.
-struct Company {
-    const RandomStream& random;  ///< its own
-    std::span<const Vec3> near;  ///< m, where others are
-    double keep_apart = 0;       ///< m, from them
-};
-
-/// One frame of dt s: feels, wanders, moves, turns, steps and reaches.
+/// One frame of dt s: feels, steers or obeys, moves, turns, steps and reaches.
 void advance_creature(const Surface& surface, const Conduct& conduct, const Company& company, double dt,
                       CreatureState& state, CreatureMeasures& measures) noexcept;
 

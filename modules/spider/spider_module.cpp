@@ -1,12 +1,16 @@
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "conduct_options.hpp"
 #include "creature.hpp"
 #include "creature_numbers.hpp"
 #include "manifest_text.hpp"
 #include "neighbors.hpp"
+#include "orbweaver/contracts/creatures.hpp"
+#include "orbweaver/contracts/input.hpp"
 #include "orbweaver/contracts/threads.hpp"
 #include "orbweaver/contracts/workers.hpp"
 #include "orbweaver/entry.hpp"
@@ -15,34 +19,8 @@
 namespace orbweaver::spider {
 namespace {
 
-PaceRange pace_of(const Options& options, const Species& species) {
-    constexpr double kLegsASecond = 3, kShortest = 0.2, kLongest = 0.55;  // of a leg
-    const double leg = mean_leg_length(species);
-    PaceRange pace{options.has("speed") ? options.number("speed") : kLegsASecond * leg, kShortest * leg,
-                   kLongest * leg, 0.75, 0.62};
-    if (options.has("duty")) pace.slow_duty = pace.fast_duty = options.number("duty");
-    return pace;
-}
-
-Conduct conduct_of(const Host& host, const Species& species) {
-    const Options& options = host.options();
-    Conduct conduct;
-    conduct.species = &species;
-    conduct.gait = find_gait(options.text("gait"));
-    conduct.path = find_stride_path(options.text("path"));
-    conduct.solver = find_leg_solver(options.text("ik"));
-    conduct.footholds = options.text("footholds") == "rays" ? FootholdWay::rays : FootholdWay::surface;
-    conduct.pace = pace_of(options, species);
-    conduct.wander.displacement = options.number("wander.displacement");
-    conduct.wander.rate = options.number("wander.rate");
-    conduct.rests = options.flag("rests");
-    conduct.turn_rate = options.number("turn_rate");
-    conduct.gravity = host.scene().gravity;
-    return conduct;
-}
-
 /// One [spider] table: creatures of one kind.
-class SpiderModule final : public Module, public Threads {
+class SpiderModule final : public Module, public Threads, public Creatures {
 public:
     void attach(Host& host) override {
         Diagnostics faults;
@@ -52,7 +30,9 @@ public:
         species_ = std::move(*species);
         surface_ = host.find<Surface>();
         workers_ = host.find<Workers>();
-        conduct_ = conduct_of(host, species_);
+        conduct_ = conduct_of(host, *surface_, species_);
+        script_ = control_of(host.options());
+        name_ = host.options().has("name") ? host.options().text("name") : host.instance_name();
         const auto count = static_cast<std::size_t>(host.options().integer("count"));
         creatures_.resize(count);
         measures_.resize(count);
@@ -61,13 +41,24 @@ public:
         if (!place(host)) return;
         keep_state();
         host.provide<Threads>(*this);
+        host.provide<Creatures>(*this);
+    }
+
+    void meet(Host& host) override {
+        const std::vector<Creatures*> groups = host.collect<Creatures>();
+        quarry_ = find_group(host, "pursue.target", groups);
+        hunter_ = find_group(host, "evade.target", groups);
+        for (const Creatures* group : groups)
+            if (group != this && group != quarry_) others_.push_back(group);
+        if (host.options().flag("keys")) keys_ = host.find<Input>();
     }
 
     void run(Phase, const orbweaver::Frame& frame) override {
-        const double reach = 1.5 * mean_leg_length(species_);
-        if (creatures_.size() > 1) neighbors_.gather(position_, reach);
+        gather_crowd();
+        const std::optional<Command> command = command_now(frame.time);
         auto advance = [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) advance_one(i, reach, frame.step);
+            for (std::size_t i = begin; i < end; ++i)
+                advance_one(i, i == 0 ? command : std::nullopt, frame.step);
         };
         if (workers_ != nullptr)
             workers_->for_each_range(creatures_.size(), kGrain, advance);
@@ -84,12 +75,14 @@ public:
 
     void report(ModuleReport& report) override {
         report.memory_bytes = creatures_.capacity() * (sizeof(CreatureState) + sizeof(CreatureMeasures)) +
-                              neighbors_.memory_bytes() + skeleton_.memory_bytes();
+                              crowd_.capacity() * sizeof(Vec3) + neighbors_.memory_bytes() +
+                              skeleton_.memory_bytes();
         const CreatureMeasures all = sum_of(measures_);
         const double feet = static_cast<double>(species_.limbs.size());
         const double frames = static_cast<double>(std::max<std::uint64_t>(1, all.frames));
         report.measure("creatures", static_cast<std::int64_t>(creatures_.size()));
         report.measure("lost_frames", static_cast<std::int64_t>(all.lost_frames));
+        report.measure("turned_back_frames", static_cast<std::int64_t>(all.turned_back));
         report.measure("max_penetration_m", all.worst_penetration);
         report.measure("max_stance_slip_m", all.worst_slip);
         report.measure("mean_feet_down", static_cast<double>(all.feet_down) / frames);
@@ -108,11 +101,16 @@ public:
     std::span<const std::string_view> kinds() const noexcept override { return kSkeletonKinds; }
     std::uint64_t revision() const noexcept override { return 0; }
 
+    std::string_view name() const noexcept override { return name_; }
+    std::span<const Vec3> positions() const noexcept override { return position_; }
+    std::span<const Vec3> velocities() const noexcept override { return velocity_; }
+
 private:
     static constexpr std::size_t kGrain = 8;
 
     void make_state(Host& host, std::size_t count) {
         position_ = host.state().vectors("position", count, {"m", "middles of the creatures' thoraxes"});
+        velocity_ = host.state().vectors("velocity", count, {"m/s", "along the surface"});
         up_ = host.state().vectors("up", count, {"1", "away from the surface"});
         forward_ = host.state().vectors("forward", count, {"1", "where they look"});
         foot_ = host.state().vectors("foot", count * species_.limbs.size(),
@@ -123,33 +121,70 @@ private:
         for (std::size_t i = 0; i < count; ++i) random_.push_back(host.random("creature " + std::to_string(i)));
     }
 
-    /// Where a point finds the surface; at random in its bounds where none is asked for.
-    bool place(Host& host) {
+    /// Somebody where the surface is nearest to `point`, on the point's side of it, or on its front.
+    SurfaceStep footing_near(const Vec3& point, const Vec3& heading, bool on_front, double far) const {
+        const SurfaceHit hit = surface_->closest_point(point, far);
+        if (hit.answer != Answer::found) return {};
+        const Vec3 away = point - surface_->position(hit.at), normal = surface_->normal(hit.at.face);
+        const bool behind = !on_front && norm(away) > 1e-9 && dot(away, normal) < 0;
+        SurfaceStep placed;
+        for (const Vec3& way : {heading, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {  // a wall may lie across the first
+            placed = surface_->place(hit.at, behind ? -1 * normal : normal, way);
+            if (placed.answer == Answer::found) break;
+        }
+        return placed;
+    }
+
+    bool holds_on(const Footing& footing) const {
+        return holds(surface_->grip(footing.at.face), footing.up, conduct_.gravity);
+    }
+
+    /// At random in the surface's bounds: where it holds on, and clear of those before it if there is room.
+    SurfaceStep random_footing(const Host& host, std::size_t i, const Vec3& low, const Vec3& high) const {
+        constexpr std::uint64_t kTries = 64;
         const RandomStream random = host.random("places");
+        SurfaceStep any;
+        for (std::uint64_t attempt = 0; attempt < kTries; ++attempt) {
+            const std::uint64_t n = 6 * (i + attempt * creatures_.size());
+            const Vec3 point{random.uniform(n, low.x, high.x), random.uniform(n + 1, low.y, high.y),
+                             random.uniform(n + 2, low.z, high.z)};
+            const Vec3 heading = i == 0 ? host.options().vector("heading")
+                                        : Vec3{random.uniform(n + 3, -1, 1), random.uniform(n + 4, -1, 1),
+                                               random.uniform(n + 5, -1, 1)};
+            const SurfaceStep placed = footing_near(point, heading, true, 2 * norm(high - low));
+            if (placed.answer != Answer::found || !holds_on(placed.end)) continue;
+            any = placed;
+            const bool clear = std::all_of(
+                creatures_.begin(), creatures_.begin() + static_cast<long>(i), [&](const CreatureState& other) {
+                    return distance(other.ground.footing.position, placed.end.position) >
+                           conduct_.behaviors.apart;
+                });
+            if (clear) break;
+        }
+        return any;
+    }
+
+    /// The first one where it is asked for, all others at random.
+    bool place(Host& host) {
+        const Options& options = host.options();
         Vec3 low = surface_->vertices()[0], high = low;
         for (const Vec3& v : surface_->vertices()) {
             low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
             high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
         }
-        const double far = 2 * norm(high - low) +
-                           norm(host.options().has("position") ? host.options().vector("position") : Vec3{});
         for (std::size_t i = 0; i < creatures_.size(); ++i) {
-            const bool asked = i == 0 && host.options().has("position");
-            const std::uint64_t n = 6 * i;
-            const Vec3 point =
-                asked ? host.options().vector("position")
-                      : Vec3{random.uniform(n, low.x, high.x), random.uniform(n + 1, low.y, high.y),
-                             random.uniform(n + 2, low.z, high.z)};
-            const Vec3 heading = i == 0 ? host.options().vector("heading")
-                                        : Vec3{random.uniform(n + 3, -1, 1), random.uniform(n + 4, -1, 1),
-                                               random.uniform(n + 5, -1, 1)};
-            const SurfaceHit hit = surface_->closest_point(point, far);
-            const Vec3 away = point - surface_->position(hit.at), normal = surface_->normal(hit.at.face);
-            const Vec3 up = norm(away) > 1e-9 && dot(away, normal) < 0 ? -1 * normal : normal;
-            const SurfaceStep placed = surface_->place(hit.at, up, heading);
-            if (hit.answer != Answer::found || placed.answer != Answer::found) {
-                host.report_fault({host.options().where(asked ? "position" : "count"),
-                                   "creature " + std::to_string(i) + " finds no place on the surface", "", ""});
+            const bool asked = i == 0 && options.has("position");
+            const SurfaceStep placed =
+                asked ? footing_near(options.vector("position"), options.vector("heading"), false,
+                                     2 * norm(high - low) + norm(options.vector("position")))
+                      : random_footing(host, i, low, high);
+            const bool found = placed.answer == Answer::found;
+            if (!found || !holds_on(placed.end)) {
+                host.report_fault({options.where(asked ? "position" : "count"),
+                                   "creature " + std::to_string(i) +
+                                       (found ? " cannot hold on to the surface where it is placed"
+                                              : " finds no place on the surface to hold on to"),
+                                   "", ""});
                 return false;
             }
             place_creature(*surface_, conduct_, placed.end, creatures_[i]);
@@ -157,11 +192,44 @@ private:
         return true;
     }
 
-    void advance_one(std::size_t i, double reach, double dt) noexcept {
+    const Creatures* find_group(Host& host, const char* key, const std::vector<Creatures*>& groups) {
+        if (!host.options().has(key)) return nullptr;
+        const std::string& name = host.options().text(key);
+        std::string names;
+        for (const Creatures* group : groups) {
+            if (group->name() == name) return group;
+            names += (names.empty() ? "" : ", ") + std::string(group->name());
+        }
+        host.report_fault({host.options().where(key), "no creatures are called '" + name + "'",
+                           "one of " + names, "give them a name in their table"});
+        return nullptr;
+    }
+
+    /// Whom these keep away from: each other, and all others but those they hunt.
+    void gather_crowd() {
+        crowd_.assign(position_.begin(), position_.end());
+        for (const Creatures* group : others_)
+            crowd_.insert(crowd_.end(), group->positions().begin(), group->positions().end());
+        if (crowd_.size() > 1) neighbors_.gather(crowd_, conduct_.behaviors.apart);
+    }
+
+    std::optional<Command> command_now(double time) const {
+        const Command fastest{conduct_.pace.top_speed, conduct_.turn_rate};
+        std::optional<Command> command;
+        if (keys_ != nullptr) command = command_of_keys(keys_->latest().walk, keys_->latest().turn, fastest);
+        return command ? command : command_at(script_, time);
+    }
+
+    void advance_one(std::size_t i, const std::optional<Command>& command, double dt) noexcept {
         std::array<Vec3, 16> near;
-        const std::size_t count = creatures_.size() > 1 ? neighbors_.around(i, near) : 0;
-        advance_creature(*surface_, conduct_, {random_[i], std::span(near).first(count), reach}, dt,
-                         creatures_[i], measures_[i]);
+        const std::size_t count = crowd_.size() > 1 ? neighbors_.around(i, near) : 0;
+        Company company{random_[i], std::span(near).first(count), conduct_.behaviors.apart, {}, {}, command};
+        const auto nearest = [&](const Creatures* group) {
+            return nearest_of(*group, creatures_[i].ground.footing.position, group == this ? i : SIZE_MAX);
+        };
+        if (quarry_ != nullptr) company.quarry = nearest(quarry_);
+        if (hunter_ != nullptr) company.hunter = nearest(hunter_);
+        advance_creature(*surface_, conduct_, company, dt, creatures_[i], measures_[i]);
     }
 
     void keep_state() {
@@ -169,6 +237,7 @@ private:
         for (std::size_t i = 0; i < creatures_.size(); ++i) {
             const BodyPose pose = pose_of(conduct_, creatures_[i]);
             position_[i] = pose.position;
+            velocity_[i] = creatures_[i].ground.velocity;
             up_[i] = pose.up;
             forward_[i] = pose.forward;
             for (std::size_t leg = 0; leg < legs; ++leg) foot_[i * legs + leg] = creatures_[i].feet[leg].place;
@@ -184,10 +253,17 @@ private:
     std::vector<RandomStream> random_;
     std::vector<CreatureState> creatures_;
     std::vector<CreatureMeasures> measures_;
+    std::string name_;
+    std::vector<TimedCommand> script_;
+    const Input* keys_ = nullptr;
+    const Creatures* quarry_ = nullptr;
+    const Creatures* hunter_ = nullptr;
+    std::vector<const Creatures*> others_;
+    std::vector<Vec3> crowd_;  // m, of these first
     Neighbors neighbors_;
     Skeleton skeleton_;
-    std::span<Vec3> position_, up_, forward_, foot_;  // state
-    std::span<double> numbers_;                       // state
+    std::span<Vec3> position_, velocity_, up_, forward_, foot_;  // state
+    std::span<double> numbers_;                                  // state
     std::size_t per_creature_ = 0;
 };
 

@@ -14,8 +14,8 @@ using orbweaver::Vec3;
 
 class Land {
 public:
-    explicit Land(const orbweaver::mesh::RawMesh& raw)
-        : mesh_(built(raw)), surface_(mesh_.view(), std::nullopt, {}) {}
+    explicit Land(const orbweaver::mesh::RawMesh& raw, orbweaver::surface::GripOverrides grips = {})
+        : mesh_(built(raw)), surface_(mesh_.view(), std::nullopt, std::move(grips)) {}
     const orbweaver::Surface& surface() const { return surface_; }
 
     /// Somebody on the face nearest to `position`.
