@@ -59,7 +59,7 @@ double patience(const Conduct& conduct, const CreatureState& state) noexcept {
 }
 
 Vec3 wish(const Surface& surface, const Conduct& conduct, const Company& company, const Agent& agent,
-          double reach, double dt, CreatureState& state) noexcept {
+          double reach, double dt, CreatureState& state, CreatureMeasures& measures) noexcept {
     const Behaviors& wants = conduct.behaviors;
     const double speed = norm(state.ground.velocity);
     const Vec3 ahead = speed > 0 ? state.ground.velocity / speed : state.ground.facing;
@@ -70,30 +70,38 @@ Vec3 wish(const Surface& surface, const Conduct& conduct, const Company& company
             follow_wall(surface, state.ground, agent, reach, wants.walls, company.random, dt, state.wall);
     const Footing& footing = state.ground.footing;
     const Vec3 wanted = combined(wants, agent, footing.at, company, wandering, along_wall);
-    return open_way(surface, footing, wanted, kForesight, conduct.gravity);
+    const Vec3 open = open_way(surface, footing, wanted, kForesight, conduct.gravity);
+    if (!(open == wanted)) ++measures.turned_aside;
+    return open;
 }
 
-/// Turns the head as it is told; where it is to go, m/s.
-Vec3 obey(const Conduct& conduct, const Command& command, double careful, double dt, Ground& ground) noexcept {
+/// Turns the head as it is told; where it is to go, m/s: not over a border or onto what no foot holds on.
+Vec3 obey(const Surface& surface, const Conduct& conduct, const Command& command, double careful, double dt,
+          Ground& ground, CreatureMeasures& measures) noexcept {
     const double degrees = dt * std::clamp(command.turn, -conduct.turn_rate, conduct.turn_rate);
     const Vec3 left = cross(ground.footing.up, ground.facing);
     ground.facing = cos_degrees(degrees) * ground.facing + sin_degrees(degrees) * left;
-    return careful * command.speed * ground.facing;
+    const Vec3 way = command.speed < 0 ? -1 * ground.facing : ground.facing;
+    const double sight = std::abs(command.speed) * kForesight;
+    if (sight == 0 || is_open(surface, ground.footing, way, sight, conduct.gravity))
+        return careful * command.speed * ground.facing;
+    ++measures.turned_aside;
+    return {};
 }
 
 void steer(const Surface& surface, const Conduct& conduct, const Company& company, const Feel& feel,
-           double reach, double dt, CreatureState& state) noexcept {
+           double reach, double dt, CreatureState& state, CreatureMeasures& measures) noexcept {
     const double careful =
         caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest) * patience(conduct, state);
     Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
                 conduct.pace.top_speed * careful};
     Vec3 wanted;
     if (company.command) {
-        wanted = obey(conduct, *company.command, careful, dt, state.ground);
+        wanted = obey(surface, conduct, *company.command, careful, dt, state.ground, measures);
     } else {
         if (conduct.rests) advance_pauses(conduct.pauses, company.random, dt, state.pause);
         if (!state.pause.stands || is_hunted(conduct.behaviors, agent, company))
-            wanted = wish(surface, conduct, company, agent, reach, dt, state);
+            wanted = wish(surface, conduct, company, agent, reach, dt, state, measures);
     }
     agent.top_speed = conduct.pace.top_speed;
     state.ground.velocity = accelerate(agent, control(agent, wanted, conduct.response, conduct.strength), dt);
@@ -109,7 +117,7 @@ void move_where_it_holds(const Surface& surface, const Conduct& conduct, double 
         return;
     }
     ground.velocity = -1 * ground.velocity;
-    ++measures.turned_back;
+    ++measures.turned_aside;
 }
 
 void begin_swing(const Surface& surface, const Conduct& conduct, const Limb& limb, const BodyPose& body,
@@ -289,7 +297,7 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
     const Species& species = *conduct.species;
     const double reach = std::max(body_length(species), 0.6 * mean_leg_length(species));
     const Feel feel = feel_ahead(surface, state.ground, reach);
-    steer(surface, conduct, company, feel, reach, dt, state);
+    steer(surface, conduct, company, feel, reach, dt, state, measures);
     move_where_it_holds(surface, conduct, dt, state.ground, measures);
     const double most = conduct.turn_rate * dt;
     if (!company.command) face_ahead(most, state.ground);
@@ -343,7 +351,7 @@ CreatureMeasures sum_of(std::span<const CreatureMeasures> all) noexcept {
     for (const CreatureMeasures& each : all) {
         sum.frames += each.frames;
         sum.lost_frames += each.lost_frames;
-        sum.turned_back += each.turned_back;
+        sum.turned_aside += each.turned_aside;
         sum.feet_down += each.feet_down;
         sum.steps += each.steps;
         sum.empty_steps += each.empty_steps;

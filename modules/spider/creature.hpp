@@ -76,7 +76,7 @@ Vec3 from_world(const BodyPose& pose, const Vec3& point) noexcept;
 struct CreatureMeasures {
     std::uint64_t frames = 0;
     std::uint64_t lost_frames = 0;   ///< in which the surface had no answer
-    std::uint64_t turned_back = 0;   ///< frames, before what no foot holds on
+    std::uint64_t turned_aside = 0;  ///< frames, from a border or from what no foot holds on
     std::uint64_t feet_down = 0;     ///< summed over frames
     std::uint64_t steps = 0;         ///< of feet
     std::uint64_t empty_steps = 0;   ///< that found no foothold

@@ -82,7 +82,7 @@ public:
         const double frames = static_cast<double>(std::max<std::uint64_t>(1, all.frames));
         report.measure("creatures", static_cast<std::int64_t>(creatures_.size()));
         report.measure("lost_frames", static_cast<std::int64_t>(all.lost_frames));
-        report.measure("turned_back_frames", static_cast<std::int64_t>(all.turned_back));
+        report.measure("turned_aside_frames", static_cast<std::int64_t>(all.turned_aside));
         report.measure("max_penetration_m", all.worst_penetration);
         report.measure("max_stance_slip_m", all.worst_slip);
         report.measure("mean_feet_down", static_cast<double>(all.feet_down) / frames);

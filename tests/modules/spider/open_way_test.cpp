@@ -61,4 +61,5 @@ TEST_CASE("glass is never stood upon, by body or foot, however long it is headed
         }
     }
     CHECK(farthest > 0.2);  // it did come to the pane
+    CHECK(walker.measures.turned_aside > 100);
 }

@@ -92,6 +92,20 @@ TEST_CASE("a script walks at its speed, whatever the creature wants, and a curve
     CHECK(distance(round.position(), start) < 2e-3);
 }
 
+TEST_CASE("who is led to a border stands there, and may turn back", "[unit]") {
+    const Opened opened(
+        "[[spider]]\n" + kStill +
+            "control = [{ speed = 0.06 }, { at = 4, speed = 0.06, turn = 60 }, { at = 7, speed = 0.06 }]\n",
+        "floor = \"0.3 m\"");
+    opened.run(4);
+    const double x = opened.position().x;
+    CHECK(x > 0.1);
+    CHECK(x < 0.15);
+    CHECK(norm(opened.state("velocity")[0]) < 1e-6);
+    opened.run(5);
+    CHECK(opened.position().x < x - 0.1);
+}
+
 TEST_CASE("only the first of a table obeys", "[unit]") {
     const Opened opened("[[spider]]\ncount = 2\n" + kStill +
                         "keep_apart.weight = 0\ncontrol = [{ turn = 30 }]\n");
