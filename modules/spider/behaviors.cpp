@@ -10,6 +10,11 @@ constexpr double kObstacleAhead = 1.5;  // s, over which obstacles are
 
 }  // namespace
 
+std::size_t memory_bytes(const Behaviors& b) noexcept {
+    return b.seek.ways.memory_bytes() + b.flee.ways.memory_bytes() + b.arrive.ways.memory_bytes() +
+           b.path.capacity() * sizeof(Vec3) + b.obstacles.capacity() * sizeof(Obstacle);
+}
+
 Vec3 combined(const Behaviors& b, const Agent& agent, const SurfacePoint& at, const Company& company,
               const Vec3& wandering, const Vec3& along_wall) noexcept {
     std::array<Wish, 10> wishes{{{wandering, b.wander}, {along_wall, b.follow_wall}}};

@@ -40,6 +40,9 @@ struct Behaviors {
     WallSettings walls;
 };
 
+/// Of ways and path.
+std::size_t memory_bytes(const Behaviors& behaviors) noexcept;
+
 /// What one creature lives among in a frame.
 struct Company {
     const RandomStream& random;  ///< its own

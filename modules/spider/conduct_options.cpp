@@ -57,10 +57,11 @@ public:
 private:
     /// Of a behavior that is there when the scene gives what it is about.
     double weight(const std::string& name, const std::string& about) {
-        if (options_.has(name + "." + about)) return options_.number(name + ".weight");
+        const std::string group = name + ".", needed = group + about;
+        if (options_.has(needed)) return options_.number(group + "weight");
         for (const auto& [key, entry] : options_.entries())
-            if (key.starts_with(name + ".") && options_.given(key)) {
-                host_.report_fault({entry.where, "'" + name + "." + about + "' is missing",
+            if (key.starts_with(group) && options_.given(key)) {
+                host_.report_fault({entry.where, "'" + needed + "' is missing",
                                     "what '" + key + "' is to count for",
                                     "add it, or leave '" + key + "' out"});
                 break;

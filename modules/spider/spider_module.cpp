@@ -46,10 +46,11 @@ public:
 
     void meet(Host& host) override {
         const std::vector<Creatures*> groups = host.collect<Creatures>();
-        quarry_ = find_group(host, "pursue.target", groups);
-        hunter_ = find_group(host, "evade.target", groups);
+        quarries_ = groups_named(host, "pursue.target", groups);
+        hunters_ = groups_named(host, "evade.target", groups);
         for (const Creatures* group : groups)
-            if (group != this && group != quarry_) others_.push_back(group);
+            if (group != this && std::find(quarries_.begin(), quarries_.end(), group) == quarries_.end())
+                others_.push_back(group);
         if (host.options().flag("keys")) keys_ = host.find<Input>();
     }
 
@@ -76,7 +77,7 @@ public:
     void report(ModuleReport& report) override {
         report.memory_bytes = creatures_.capacity() * (sizeof(CreatureState) + sizeof(CreatureMeasures)) +
                               crowd_.capacity() * sizeof(Vec3) + neighbors_.memory_bytes() +
-                              skeleton_.memory_bytes();
+                              memory_bytes(conduct_.behaviors) + skeleton_.memory_bytes();
         const CreatureMeasures all = sum_of(measures_);
         const double feet = static_cast<double>(species_.limbs.size());
         const double frames = static_cast<double>(std::max<std::uint64_t>(1, all.frames));
@@ -192,17 +193,35 @@ private:
         return true;
     }
 
-    const Creatures* find_group(Host& host, const char* key, const std::vector<Creatures*>& groups) {
-        if (!host.options().has(key)) return nullptr;
+    using Groups = std::vector<const Creatures*>;
+
+    /// All groups of the name that an option gives.
+    static Groups groups_named(Host& host, const char* key, const std::vector<Creatures*>& groups) {
+        Groups found;
+        if (!host.options().has(key)) return found;
         const std::string& name = host.options().text(key);
         std::string names;
         for (const Creatures* group : groups) {
-            if (group->name() == name) return group;
-            names += (names.empty() ? "" : ", ") + std::string(group->name());
+            if (group->name() == name) found.push_back(group);
+            names += names.empty() ? "" : ", ";
+            names += group->name();
         }
-        host.report_fault({host.options().where(key), "no creatures are called '" + name + "'",
-                           "one of " + names, "give them a name in their table"});
-        return nullptr;
+        if (found.empty())
+            host.report_fault({host.options().where(key), "no creatures are called '" + name + "'",
+                               "one of " + names, "give them a name in their table"});
+        return found;
+    }
+
+    std::optional<Agent> nearest_in(const Groups& groups, std::size_t i) const noexcept {
+        const Vec3& here = creatures_[i].ground.footing.position;
+        std::optional<Agent> nearest;
+        for (const Creatures* group : groups) {
+            const auto other = nearest_of(*group, here, group == this ? i : SIZE_MAX);
+            const bool nearer =
+                other && (!nearest || distance(other->position, here) < distance(nearest->position, here));
+            if (nearer) nearest = other;
+        }
+        return nearest;
     }
 
     /// Whom these keep away from: each other, and all others but those they hunt.
@@ -224,11 +243,8 @@ private:
         std::array<Vec3, 16> near;
         const std::size_t count = crowd_.size() > 1 ? neighbors_.around(i, near) : 0;
         Company company{random_[i], std::span(near).first(count), conduct_.behaviors.apart, {}, {}, command};
-        const auto nearest = [&](const Creatures* group) {
-            return nearest_of(*group, creatures_[i].ground.footing.position, group == this ? i : SIZE_MAX);
-        };
-        if (quarry_ != nullptr) company.quarry = nearest(quarry_);
-        if (hunter_ != nullptr) company.hunter = nearest(hunter_);
+        company.quarry = nearest_in(quarries_, i);
+        company.hunter = nearest_in(hunters_, i);
         advance_creature(*surface_, conduct_, company, dt, creatures_[i], measures_[i]);
     }
 
@@ -256,9 +272,7 @@ private:
     std::string name_;
     std::vector<TimedCommand> script_;
     const Input* keys_ = nullptr;
-    const Creatures* quarry_ = nullptr;
-    const Creatures* hunter_ = nullptr;
-    std::vector<const Creatures*> others_;
+    Groups quarries_, hunters_, others_;
     std::vector<Vec3> crowd_;  // m, of these first
     Neighbors neighbors_;
     Skeleton skeleton_;

@@ -135,6 +135,15 @@ TEST_CASE("groups hunt and evade each other by name, in whatever order their tab
     }
 }
 
+TEST_CASE("tables of one name are one group: the nearest of all is hunted", "[unit]") {
+    const std::string still = "rests = false\nwander.weight = 0\nkeep_apart.weight = 0\n";
+    const Opened opened("[[spider]]\nposition = [0, 0, 0]\npursue.target = \"prey\"\n" + still +
+                        "[[spider]]\nname = \"prey\"\nposition = [0.4, 0, 0]\n" + still +
+                        "[[spider]]\nname = \"prey\"\nposition = [-0.3, 0, 0]\n" + still);
+    opened.run(1.5);
+    CHECK(opened.position().x < -0.1);
+}
+
 TEST_CASE("a name that nobody has is refused before the run, with those there are", "[extreme]") {
     const Opened opened("[[spider]]\nname = \"hunter\"\npursue.target = \"pray\"\n[[spider]]\n");
     CHECK(opened.faults() ==
