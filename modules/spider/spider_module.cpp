@@ -14,6 +14,7 @@
 #include "orbweaver/contracts/threads.hpp"
 #include "orbweaver/contracts/workers.hpp"
 #include "orbweaver/entry.hpp"
+#include "places.hpp"
 #include "skeleton.hpp"
 
 namespace orbweaver::spider {
@@ -122,73 +123,26 @@ private:
         for (std::size_t i = 0; i < count; ++i) random_.push_back(host.random("creature " + std::to_string(i)));
     }
 
-    /// Somebody where the surface is nearest to `point`, on the point's side of it, or on its front.
-    SurfaceStep footing_near(const Vec3& point, const Vec3& heading, bool on_front, double far) const {
-        const SurfaceHit hit = surface_->closest_point(point, far);
-        if (hit.answer != Answer::found) return {};
-        const Vec3 away = point - surface_->position(hit.at), normal = surface_->normal(hit.at.face);
-        const bool behind = !on_front && norm(away) > 1e-9 && dot(away, normal) < 0;
-        SurfaceStep placed;
-        for (const Vec3& way : {heading, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {  // a wall may lie across the first
-            placed = surface_->place(hit.at, behind ? -1 * normal : normal, way);
-            if (placed.answer == Answer::found) break;
-        }
-        return placed;
-    }
-
-    bool holds_on(const Footing& footing) const {
-        return holds(surface_->grip(footing.at.face), footing.up, conduct_.gravity);
-    }
-
-    /// At random in the surface's bounds: where it holds on, and clear of those before it if there is room.
-    SurfaceStep random_footing(const Host& host, std::size_t i, const Vec3& low, const Vec3& high) const {
-        constexpr std::uint64_t kTries = 64;
-        const RandomStream random = host.random("places");
-        SurfaceStep any;
-        for (std::uint64_t attempt = 0; attempt < kTries; ++attempt) {
-            const std::uint64_t n = 6 * (i + attempt * creatures_.size());
-            const Vec3 point{random.uniform(n, low.x, high.x), random.uniform(n + 1, low.y, high.y),
-                             random.uniform(n + 2, low.z, high.z)};
-            const Vec3 heading = i == 0 ? host.options().vector("heading")
-                                        : Vec3{random.uniform(n + 3, -1, 1), random.uniform(n + 4, -1, 1),
-                                               random.uniform(n + 5, -1, 1)};
-            const SurfaceStep placed = footing_near(point, heading, true, 2 * norm(high - low));
-            if (placed.answer != Answer::found || !holds_on(placed.end)) continue;
-            any = placed;
-            const bool clear = std::all_of(
-                creatures_.begin(), creatures_.begin() + static_cast<long>(i), [&](const CreatureState& other) {
-                    return distance(other.ground.footing.position, placed.end.position) >
-                           conduct_.behaviors.apart;
-                });
-            if (clear) break;
-        }
-        return any;
-    }
-
     /// The first one where it is asked for, all others at random.
     bool place(Host& host) {
         const Options& options = host.options();
-        Vec3 low = surface_->vertices()[0], high = low;
-        for (const Vec3& v : surface_->vertices()) {
-            low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
-            high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
-        }
+        Places places(*surface_, conduct_.gravity, conduct_.behaviors.apart, host.random("places"));
         for (std::size_t i = 0; i < creatures_.size(); ++i) {
             const bool asked = i == 0 && options.has("position");
-            const SurfaceStep placed =
-                asked ? footing_near(options.vector("position"), options.vector("heading"), false,
-                                     2 * norm(high - low) + norm(options.vector("position")))
-                      : random_footing(host, i, low, high);
-            const bool found = placed.answer == Answer::found;
-            if (!found || !holds_on(placed.end)) {
+            std::optional<Vec3> heading;
+            if (i == 0) heading = options.vector("heading");
+            const Places::Found found = asked ? places.near(options.vector("position"), *heading)
+                                              : places.at_random(i, creatures_.size(), heading);
+            if (!found.holds) {
                 host.report_fault({options.where(asked ? "position" : "count"),
                                    "creature " + std::to_string(i) +
-                                       (found ? " cannot hold on to the surface where it is placed"
+                                       (asked ? " cannot hold on to the surface where it is placed"
                                               : " finds no place on the surface to hold on to"),
                                    "", ""});
                 return false;
             }
-            place_creature(*surface_, conduct_, placed.end, creatures_[i]);
+            place_creature(*surface_, conduct_, found.place.end, creatures_[i]);
+            places.take(found.place.end.position);
         }
         return true;
     }
