@@ -120,7 +120,7 @@ TEST_CASE("every option with a unit arrives in the unit that its reader takes it
         INFO(c.table);
         tested.insert(c.key);
         const Read read(c.table);
-        CHECK(read.faults() == std::vector<std::string>{});
+        CHECK(read.faults().empty());
         CHECK(c.arrived(read) == Approx(c.expected).epsilon(1e-12));
     }
     CHECK(tested == with_unit);
