@@ -83,15 +83,15 @@ public:
     void provide(Contract& implementation) {
         provide_contract(Contract::kContract, &implementation);
     }
-    /// The one provider of a contract that the manifest `needs` or `uses`; null only for `uses`, and for what it
-    /// `meets`.
+    /// The one provider of a contract that the manifest `needs` or `uses`; null only for `uses`, and for what
+    /// it `meets`.
     template <class Contract>
     Contract* find() const {
         const auto all = find_contract(Contract::kContract);
         return all.empty() ? nullptr : static_cast<Contract*>(all.front());
     }
-    /// Every provider of a contract that the manifest `collects`, in attach order; in Module::meet() of one that
-    /// it `meets`, whoever attached first.
+    /// Every provider of a contract that the manifest `collects`, in attach order; in Module::meet() of one
+    /// that it `meets`, whoever attached first.
     template <class Contract>
     std::vector<Contract*> collect() const {
         std::vector<Contract*> found;
