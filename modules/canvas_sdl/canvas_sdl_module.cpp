@@ -50,6 +50,7 @@ const InputEvents& CanvasSdl::poll() noexcept {
     mouse = {std::max(mouse.width, 1), std::max(mouse.height, 1)};
     SDL_Event event;
     while (SDL_PollEvent(&event) != 0) translate(event, mouse, events_);
+    translate_held(SDL_GetKeyboardState(nullptr), events_);
     window_.drawable_size(width_, height_);
     return events_;
 }

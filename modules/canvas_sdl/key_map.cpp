@@ -67,12 +67,21 @@ void translate(const SDL_Event& event, WindowSize window, InputEvents& events) n
     }
 }
 
+void translate_held(const Uint8* held, InputEvents& events) noexcept {
+    const auto between = [&](SDL_Scancode more, SDL_Scancode less) {
+        return (held[more] != 0 ? 1 : 0) - (held[less] != 0 ? 1 : 0);
+    };
+    events.walk = between(SDL_SCANCODE_W, SDL_SCANCODE_S);
+    events.turn = between(SDL_SCANCODE_A, SDL_SCANCODE_D);
+}
+
 const char* key_list() noexcept {
     return "space          pause, go on\n"
            ".              one frame while paused\n"
            "R              back to the first frame\n"
            "arrows, drag   turn about the middle\n"
            "wheel          nearer, farther\n"
+           "W, S, A, D     a creature forward, back, to the left, to the right (keys = true)\n"
            "C              camera back to where it began\n"
            "F1, H          this list\n"
            "Esc            quit\n";

@@ -5,11 +5,15 @@
 
 #include "backbone.hpp"
 #include "keep_off.hpp"
+#include "open_way.hpp"
+#include "orbweaver/exact_math.hpp"
 #include "rotor.hpp"
 #include "stepping.hpp"
 
 namespace orbweaver::spider {
 namespace {
+
+constexpr double kForesight = 0.35;  // s, in which it sees borders coming and what no foot holds on
 
 double body_length(const Species& species) noexcept {
     return species.body.head.x + species.body.thorax.x + species.body.abdomen.x;
@@ -28,18 +32,21 @@ double alignment(const CreatureState& state, const Vec3& wanted_up) noexcept {
     return std::clamp(1 - (off - kNear) / (kFar - kNear), kSlowest, 1.0);
 }
 
-Vec3 wish(const Conduct& conduct, const Company& company, const Feel& feel, double reach, double dt,
-          CreatureState& state) noexcept {
-    const double careful = std::min({caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest),
-                                     alignment(state, feel.up), patience(state)});
-    const Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
-                      conduct.pace.top_speed * careful};
+Vec3 wish(const Surface& surface, const Conduct& conduct, const Company& company, const Agent& agent,
+          double reach, double dt, CreatureState& state, CreatureMeasures& measures) noexcept {
+    const Behaviors& wants = conduct.behaviors;
     const double speed = norm(state.ground.velocity);
     const Vec3 ahead = speed > 0 ? state.ground.velocity / speed : state.ground.facing;
-    const std::array<Wish, 2> wishes{
-        {{wander(agent, ahead, conduct.wander, company.random, dt, state.wander), 1},
-         {keep_apart(agent, company.near, company.keep_apart), 3}}};
-    return blend(agent, wishes);
+    Vec3 wandering, along_wall;
+    if (wants.wander > 0) wandering = wander(agent, ahead, conduct.wander, company.random, dt, state.wander);
+    if (wants.follow_wall > 0)
+        along_wall =
+            follow_wall(surface, state.ground, agent, reach, wants.walls, company.random, dt, state.wall);
+    const Footing& footing = state.ground.footing;
+    const Vec3 wanted = combined(wants, agent, footing.at, company, wandering, along_wall);
+    const Vec3 open = open_way(surface, footing, wanted, kForesight, conduct.gravity);
+    if (!(open == wanted)) ++measures.turned_aside;
+    return open;
 }
 
 /// A wish that leads to where the surface ends is turned aside, to the side that has more room: the nearer the
@@ -77,17 +84,54 @@ Vec3 ahead_of_head(const Ground& ground, const Vec3& wanted) noexcept {
     return std::max(kSlowest, dot(way, wanted) / speed) * speed * way;
 }
 
-void steer(const Conduct& conduct, const Company& company, const Feel& feel, double reach, double dt,
-           CreatureState& state) noexcept {
-    if (conduct.rests) advance_pauses(conduct.pauses, company.random, dt, state.pause);
+/// Turns the head as it is told; where it is to go, m/s: not over a border or onto what no foot holds on.
+Vec3 obey(const Surface& surface, const Conduct& conduct, const Command& command, double careful, double dt,
+          Ground& ground, CreatureMeasures& measures) noexcept {
+    const double degrees = dt * std::clamp(command.turn, -conduct.turn_rate, conduct.turn_rate);
+    const Vec3 left = cross(ground.footing.up, ground.facing);
+    ground.facing = cos_degrees(degrees) * ground.facing + sin_degrees(degrees) * left;
+    const Vec3 way = command.speed < 0 ? -1 * ground.facing : ground.facing;
+    const double sight = std::abs(command.speed) * kForesight;
+    if (sight == 0 || is_open(surface, ground.footing, way, sight, conduct.gravity))
+        return careful * command.speed * ground.facing;
+    ++measures.turned_aside;
+    return {};
+}
+
+void steer(const Surface& surface, const Conduct& conduct, const Company& company, const Feel& feel,
+           double reach, double dt, CreatureState& state, CreatureMeasures& measures) noexcept {
+    const double careful =
+        std::min({caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest),
+                  alignment(state, feel.up), patience(state)});
+    Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
+                conduct.pace.top_speed * careful};
     Vec3 wanted;
-    if (!state.pause.stands) {
-        wanted = away_from_gaps(conduct, state, wish(conduct, company, feel, reach, dt, state));
-        wanted = ahead_of_head(state.ground, clear_of_borders(state.ground, feel, reach, wanted));
+    if (company.command) {
+        wanted = obey(surface, conduct, *company.command, careful, dt, state.ground, measures);
+    } else {
+        if (conduct.rests) advance_pauses(conduct.pauses, company.random, dt, state.pause);
+        if (!state.pause.stands || is_hunted(conduct.behaviors, agent, company))
+            wanted = clear_of_borders(
+                state.ground, feel, reach,
+                away_from_gaps(conduct, state,
+                               wish(surface, conduct, company, agent, reach, dt, state, measures)));
+        wanted = ahead_of_head(state.ground, wanted);
     }
-    const Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
-                      conduct.pace.top_speed};
+    agent.top_speed = conduct.pace.top_speed;
     state.ground.velocity = accelerate(agent, control(agent, wanted, conduct.response, conduct.strength), dt);
+}
+
+/// Moves, but not onto what no foot holds on: there it turns back as at a border.
+void move_where_it_holds(const Surface& surface, const Conduct& conduct, double dt, Ground& ground,
+                         CreatureMeasures& measures) noexcept {
+    Ground moved = ground;
+    if (move(surface, dt, 1.3 * conduct.species->carriage, moved) == MoveEnd::lost) ++measures.lost_frames;
+    if (holds(surface.grip(moved.footing.at.face), moved.footing.up, conduct.gravity)) {
+        ground = moved;
+        return;
+    }
+    ground.velocity = -1 * ground.velocity;
+    ++measures.turned_aside;
 }
 
 /// Up and forward in dt s, both together by no more than the creature's rate: they turn about axes at right
@@ -182,15 +226,19 @@ double feel_reach(const Species& species) noexcept {
     return std::max(body_length(species), 0.6 * mean_leg_length(species));
 }
 
+Feel feel_ground(const Surface& surface, const Species& species, const Ground& ground) noexcept {
+    return feel_ahead(surface, ground, feel_reach(species), 1.5 * species.carriage);
+}
+
 void advance_creature(const Surface& surface, const Conduct& conduct, const Company& company, double dt,
                       CreatureState& state, CreatureMeasures& measures) noexcept {
     const Species& species = *conduct.species;
     const Before before(conduct, state);
     const double reach = feel_reach(species);
-    const Feel feel = feel_ahead(surface, state.ground, reach, 1.5 * species.carriage);
-    steer(conduct, company, feel, reach, dt, state);
-    if (move(surface, dt, 1.3 * species.carriage, state.ground) == MoveEnd::lost) ++measures.lost_frames;
-    face_ahead(conduct.turn_rate * dt, state.ground);
+    const Feel feel = feel_ground(surface, species, state.ground);
+    steer(surface, conduct, company, feel, reach, dt, state, measures);
+    move_where_it_holds(surface, conduct, dt, state.ground, measures);
+    if (!company.command) face_ahead(conduct.turn_rate * dt, state.ground);
     turn_body(conduct, feel.up, dt, state);
     const double below = hold_body(surface, conduct, dt, state);
     step_feet(surface, conduct, dt, state, measures);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "behaviors.hpp"
 #include "body_pose.hpp"
 #include "footholds.hpp"
 #include "gait.hpp"
@@ -33,6 +34,7 @@ struct Conduct {
     const LegLanes* lanes = nullptr;  ///< of the species' legs, for all at once; null: one after the other
     FootholdWay footholds = FootholdWay::surface;
     PaceRange pace;
+    Behaviors behaviors;
     WanderSettings wander;
     PauseSettings pauses;
     bool rests = true;       ///< stops at random
@@ -66,6 +68,7 @@ struct CreatureState {
     double strain = 0;      ///< of the standing leg that is strained the most: see strain_of()
     double bend = 0;        ///< rad, between thorax and abdomen, up is positive
     WanderState wander;
+    WallState wall;
     PauseState pause;
     double phase = 0;
     std::array<double, kMaxLegs> start{}, progress{};
@@ -79,17 +82,12 @@ BodyPose pose_of(const Conduct& conduct, const CreatureState& state) noexcept;
 void place_creature(const Surface& surface, const Conduct& conduct, const Footing& footing,
                     CreatureState& state) noexcept;
 
-/// What a creature lives among.
-struct Company {
-    const RandomStream& random;  ///< its own
-    std::span<const Vec3> near;  ///< m, where others are
-    double keep_apart = 0;       ///< m, from them
-};
-
 /// m, how far ahead and behind it feels.
 double feel_reach(const Species& species) noexcept;
+/// What it feels there, and whether there is room for it.
+Feel feel_ground(const Surface& surface, const Species& species, const Ground& ground) noexcept;
 
-/// One frame of dt s: feels, wanders, moves, turns, steps and reaches.
+/// One frame of dt s: feels, steers or obeys, moves, turns, steps and reaches.
 void advance_creature(const Surface& surface, const Conduct& conduct, const Company& company, double dt,
                       CreatureState& state, CreatureMeasures& measures) noexcept;
 

@@ -29,6 +29,10 @@ void each_number(CreatureState& state, std::size_t legs, Each&& each) {
     each(state.turn.steps);
     each(state.wander.wait);
     each(state.wander.draws);
+    each(state.wall.side);
+    each(state.wall.climbs);
+    each(state.wall.left);
+    each(state.wall.draws);
     each(state.pause.stands);
     each(state.pause.left);
     each(state.pause.stood);

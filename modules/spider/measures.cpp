@@ -9,6 +9,7 @@ CreatureMeasures sum_of(std::span<const CreatureMeasures> all) noexcept {
     for (const CreatureMeasures& each : all) {
         sum.frames += each.frames;
         sum.lost_frames += each.lost_frames;
+        sum.turned_aside += each.turned_aside;
         sum.penetrating_frames += each.penetrating_frames;
         sum.unstable_frames += each.unstable_frames;
         sum.feet_down += each.feet_down;

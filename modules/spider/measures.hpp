@@ -9,6 +9,7 @@ namespace orbweaver::spider {
 struct CreatureMeasures {
     std::uint64_t frames = 0;
     std::uint64_t lost_frames = 0;         ///< in which the surface had no answer
+    std::uint64_t turned_aside = 0;        ///< frames, from a border or from what no foot holds on
     std::uint64_t penetrating_frames = 0;  ///< in which the body reached below the surface
     std::uint64_t unstable_frames = 0;     ///< in which the stability margin was below 0
     std::uint64_t feet_down = 0;           ///< summed over frames

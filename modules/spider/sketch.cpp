@@ -62,7 +62,7 @@ void draw_feel(const Surface& surface, const Conduct& conduct, const Ground& gro
         }
         pen.mark(last, ground.footing.up, 0.03 * reach);
     }
-    const Feel feel = feel_ahead(surface, ground, reach);
+    const Feel feel = feel_ground(surface, *conduct.species, ground);
     pen.line(ground.footing.position, ground.footing.position + 0.6 * reach * feel.up);
 }
 

@@ -4,43 +4,23 @@
 #include <string>
 #include <vector>
 
+#include "conduct_options.hpp"
 #include "creature.hpp"
 #include "creature_numbers.hpp"
 #include "leg_ways.hpp"
 #include "manifest_text.hpp"
 #include "neighbors.hpp"
+#include "orbweaver/contracts/creatures.hpp"
+#include "orbweaver/contracts/input.hpp"
 #include "orbweaver/contracts/skins.hpp"
 #include "orbweaver/contracts/workers.hpp"
 #include "orbweaver/entry.hpp"
+#include "places.hpp"
 #include "sketch.hpp"
 #include "skin.hpp"
 
 namespace orbweaver::spider {
 namespace {
-
-PaceRange pace_of(const Options& options, const Walk& walk) {
-    PaceRange pace{options.has("speed") ? options.number("speed") : walk.speed, walk.stride[0], walk.stride[1],
-                   walk.duty[0], walk.duty[1]};
-    if (options.has("duty")) pace.slow_duty = pace.fast_duty = options.number("duty");
-    return pace;
-}
-
-Conduct conduct_of(const Host& host, const Species& species) {
-    const Options& options = host.options();
-    Conduct conduct;
-    conduct.species = &species;
-    conduct.gait = find_gait(options.has("gait") ? options.text("gait") : species.walk.gait);
-    conduct.path = find_stride_path(options.text("path"));
-    conduct.solver = find_leg_solver(options.text("ik"));
-    conduct.footholds = options.text("footholds") == "rays" ? FootholdWay::rays : FootholdWay::surface;
-    conduct.pace = pace_of(options, species.walk);
-    conduct.wander.displacement = options.number("wander.displacement");
-    conduct.wander.rate = options.number("wander.rate");
-    conduct.rests = options.flag("rests");
-    conduct.turn_rate = options.number("turn_rate");
-    conduct.gravity = host.scene().gravity;
-    return conduct;
-}
 
 std::vector<Leg> legs_of(const Species& species) {
     std::vector<Leg> legs;
@@ -49,7 +29,7 @@ std::vector<Leg> legs_of(const Species& species) {
 }
 
 /// One [spider] table: creatures of one kind.
-class SpiderModule final : public Module, public Skins, public Sketch {
+class SpiderModule final : public Module, public Skins, public Sketch, public Creatures {
 public:
     void attach(Host& host) override {
         Diagnostics faults;
@@ -59,9 +39,11 @@ public:
         species_ = std::move(*species);
         surface_ = host.find<Surface>();
         workers_ = host.find<Workers>();
-        conduct_ = conduct_of(host, species_);
+        conduct_ = conduct_of(host, *surface_, species_);
         if (host.options().text("ik") == "half_jacobian") conduct_.lanes = &lanes_.emplace(legs_of(species_));
         debug_ = host.options().flag("debug");
+        script_ = control_of(host.options());
+        name_ = host.options().has("name") ? host.options().text("name") : host.instance_name();
         const auto count = static_cast<std::size_t>(host.options().integer("count"));
         creatures_.resize(count);
         measures_.resize(count);
@@ -72,13 +54,24 @@ public:
         host.provide<ReachWays>(*ways_);
         host.provide<Skins>(*this);
         host.provide<Sketch>(*this);
+        host.provide<Creatures>(*this);
+    }
+
+    void meet(Host& host) override {
+        const std::vector<Creatures*> groups = host.collect<Creatures>();
+        quarries_ = groups_named(host, "pursue.target", groups);
+        hunters_ = groups_named(host, "evade.target", groups);
+        for (const Creatures* group : groups)
+            if (group != this && std::find(quarries_.begin(), quarries_.end(), group) == quarries_.end())
+                others_.push_back(group);
+        if (host.options().flag("keys")) keys_ = host.find<Input>();
     }
 
     void run(Phase, const orbweaver::Frame& frame) override {
         step_ = frame.step;
-        const double reach = 1.5 * mean_leg_length(species_);
-        if (creatures_.size() > 1) neighbors_.gather(position_, reach);
-        for_each([&](std::size_t i) { advance_one(i, reach, frame.step); });
+        gather_crowd();
+        const std::optional<Command> command = command_now(frame.time);
+        for_each([&](std::size_t i) { advance_one(i, i == 0 ? command : std::nullopt, frame.step); });
         keep_state();
     }
 
@@ -89,13 +82,15 @@ public:
 
     void report(ModuleReport& report) override {
         report.memory_bytes = creatures_.capacity() * (sizeof(CreatureState) + sizeof(CreatureMeasures)) +
-                              neighbors_.memory_bytes() + moves_.capacity() * sizeof(SkinMove) +
+                              crowd_.capacity() * sizeof(Vec3) + neighbors_.memory_bytes() +
+                              memory_bytes(conduct_.behaviors) + moves_.capacity() * sizeof(SkinMove) +
                               lines_.capacity() * sizeof(SketchLine) + (skin_ ? skin_->memory_bytes() : 0);
         const CreatureMeasures all = sum_of(measures_);
         const double feet = static_cast<double>(species_.limbs.size());
         const double frames = static_cast<double>(std::max<std::uint64_t>(1, all.frames));
         report.measure("creatures", static_cast<std::int64_t>(creatures_.size()));
         report.measure("lost_frames", static_cast<std::int64_t>(all.lost_frames));
+        report.measure("turned_aside_frames", static_cast<std::int64_t>(all.turned_aside));
         report.measure("max_penetration_m", all.worst_penetration);
         report.measure("max_stance_slip_m", all.worst_slip);
         report.measure("mean_feet_down", static_cast<double>(all.feet_down) / frames);
@@ -137,6 +132,10 @@ public:
         return moves_;
     }
 
+    std::string_view name() const noexcept override { return name_; }
+    std::span<const Vec3> positions() const noexcept override { return position_; }
+    std::span<const Vec3> velocities() const noexcept override { return velocity_; }
+
 private:
     static constexpr std::size_t kGrain = 8;
 
@@ -153,6 +152,7 @@ private:
 
     void make_state(Host& host, std::size_t count) {
         position_ = host.state().vectors("position", count, {"m", "middles of the creatures' thoraxes"});
+        velocity_ = host.state().vectors("velocity", count, {"m/s", "along the surface"});
         up_ = host.state().vectors("up", count, {"1", "away from the surface"});
         forward_ = host.state().vectors("forward", count, {"1", "where they look"});
         foot_ = host.state().vectors("foot", count * species_.limbs.size(),
@@ -163,45 +163,83 @@ private:
         for (std::size_t i = 0; i < count; ++i) random_.push_back(host.random("creature " + std::to_string(i)));
     }
 
-    /// Where a point finds the surface; at random in its bounds where none is asked for.
+    /// The first one where it is asked for, all others at random.
     bool place(Host& host) {
-        const RandomStream random = host.random("places");
-        Vec3 low = surface_->vertices()[0], high = low;
-        for (const Vec3& v : surface_->vertices()) {
-            low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
-            high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
-        }
-        const double far = 2 * norm(high - low) +
-                           norm(host.options().has("position") ? host.options().vector("position") : Vec3{});
+        const Options& options = host.options();
+        Places places(*surface_, conduct_.gravity, conduct_.behaviors.apart, host.random("places"));
         for (std::size_t i = 0; i < creatures_.size(); ++i) {
-            const bool asked = i == 0 && host.options().has("position");
-            const std::uint64_t n = 6 * i;
-            const Vec3 point =
-                asked ? host.options().vector("position")
-                      : Vec3{random.uniform(n, low.x, high.x), random.uniform(n + 1, low.y, high.y),
-                             random.uniform(n + 2, low.z, high.z)};
-            const Vec3 heading = i == 0 ? host.options().vector("heading")
-                                        : Vec3{random.uniform(n + 3, -1, 1), random.uniform(n + 4, -1, 1),
-                                               random.uniform(n + 5, -1, 1)};
-            const SurfaceHit hit = surface_->closest_point(point, far);
-            const Vec3 away = point - surface_->position(hit.at), normal = surface_->normal(hit.at.face);
-            const Vec3 up = norm(away) > 1e-9 && dot(away, normal) < 0 ? -1 * normal : normal;
-            const SurfaceStep placed = surface_->place(hit.at, up, heading);
-            if (hit.answer != Answer::found || placed.answer != Answer::found) {
-                host.report_fault({host.options().where(asked ? "position" : "count"),
-                                   "creature " + std::to_string(i) + " finds no place on the surface", "", ""});
+            const bool asked = i == 0 && options.has("position");
+            std::optional<Vec3> heading;
+            if (i == 0) heading = options.vector("heading");
+            const Places::Found found = asked ? places.near(options.vector("position"), *heading)
+                                              : places.at_random(i, creatures_.size(), heading);
+            if (!found.holds) {
+                host.report_fault({options.where(asked ? "position" : "count"),
+                                   "creature " + std::to_string(i) +
+                                       (asked ? " cannot hold on to the surface where it is placed"
+                                              : " finds no place on the surface to hold on to"),
+                                   "", ""});
                 return false;
             }
-            place_creature(*surface_, conduct_, placed.end, creatures_[i]);
+            place_creature(*surface_, conduct_, found.place.end, creatures_[i]);
+            places.take(found.place.end.position);
         }
         return true;
     }
 
-    void advance_one(std::size_t i, double reach, double dt) noexcept {
+    using Groups = std::vector<const Creatures*>;
+
+    /// All groups of the name that an option gives.
+    static Groups groups_named(Host& host, const char* key, const std::vector<Creatures*>& groups) {
+        Groups found;
+        if (!host.options().has(key)) return found;
+        const std::string& name = host.options().text(key);
+        std::string names;
+        for (const Creatures* group : groups) {
+            if (group->name() == name) found.push_back(group);
+            names += names.empty() ? "" : ", ";
+            names += group->name();
+        }
+        if (found.empty())
+            host.report_fault({host.options().where(key), "no creatures are called '" + name + "'",
+                               "one of " + names, "give them a name in their table"});
+        return found;
+    }
+
+    std::optional<Agent> nearest_in(const Groups& groups, std::size_t i) const noexcept {
+        const Vec3& here = creatures_[i].ground.footing.position;
+        std::optional<Agent> nearest;
+        for (const Creatures* group : groups) {
+            const auto other = nearest_of(*group, here, group == this ? i : SIZE_MAX);
+            const bool nearer =
+                other && (!nearest || distance(other->position, here) < distance(nearest->position, here));
+            if (nearer) nearest = other;
+        }
+        return nearest;
+    }
+
+    /// Whom these keep away from: each other, and all others but those they hunt.
+    void gather_crowd() {
+        crowd_.assign(position_.begin(), position_.end());
+        for (const Creatures* group : others_)
+            crowd_.insert(crowd_.end(), group->positions().begin(), group->positions().end());
+        if (crowd_.size() > 1) neighbors_.gather(crowd_, conduct_.behaviors.apart);
+    }
+
+    std::optional<Command> command_now(double time) const {
+        const Command fastest{conduct_.pace.top_speed, conduct_.turn_rate};
+        std::optional<Command> command;
+        if (keys_ != nullptr) command = command_of_keys(keys_->latest().walk, keys_->latest().turn, fastest);
+        return command ? command : command_at(script_, time);
+    }
+
+    void advance_one(std::size_t i, const std::optional<Command>& command, double dt) noexcept {
         std::array<Vec3, 16> near;
-        const std::size_t count = creatures_.size() > 1 ? neighbors_.around(i, near) : 0;
-        advance_creature(*surface_, conduct_, {random_[i], std::span(near).first(count), reach}, dt,
-                         creatures_[i], measures_[i]);
+        const std::size_t count = crowd_.size() > 1 ? neighbors_.around(i, near) : 0;
+        Company company{random_[i], std::span(near).first(count), conduct_.behaviors.apart, {}, {}, command};
+        company.quarry = nearest_in(quarries_, i);
+        company.hunter = nearest_in(hunters_, i);
+        advance_creature(*surface_, conduct_, company, dt, creatures_[i], measures_[i]);
     }
 
     /// Only when all have advanced: they look at where others were.
@@ -210,6 +248,7 @@ private:
         for_each([&](std::size_t i) {
             const BodyPose pose = pose_of(conduct_, creatures_[i]);
             position_[i] = pose.position;
+            velocity_[i] = creatures_[i].ground.velocity;
             up_[i] = pose.up;
             forward_[i] = pose.forward;
             for (std::size_t leg = 0; leg < legs; ++leg) foot_[i * legs + leg] = creatures_[i].feet[leg].place;
@@ -227,12 +266,17 @@ private:
     std::vector<RandomStream> random_;
     std::vector<CreatureState> creatures_;
     std::vector<CreatureMeasures> measures_;
+    std::string name_;
+    std::vector<TimedCommand> script_;
+    const Input* keys_ = nullptr;
+    Groups quarries_, hunters_, others_;
+    std::vector<Vec3> crowd_;  // m, of these first
     Neighbors neighbors_;
     std::optional<Skin> skin_;  // made when somebody looks
     std::vector<SkinMove> moves_;
     std::vector<SketchLine> lines_;
-    std::span<Vec3> position_, up_, forward_, foot_;  // state
-    std::span<double> numbers_;                       // state
+    std::span<Vec3> position_, velocity_, up_, forward_, foot_;  // state
+    std::span<double> numbers_;                                  // state
     std::size_t per_creature_ = 0;
     double step_ = 1;  // s, of a frame
 };

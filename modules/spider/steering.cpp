@@ -14,11 +14,15 @@ Vec3 scaled_to(const Vec3& v, double length) noexcept {
 
 Vec3 at_most(const Vec3& v, double length) noexcept { return norm(v) > length ? scaled_to(v, length) : v; }
 
-/// Where `other` is when the agent could be there.
+/// Where `other` is when the agent meets it: |d + v t| = s t, the first t > 0; the horizon where there is none.
 Vec3 foreseen(const Agent& agent, const Agent& other, double horizon) noexcept {
-    const double way = distance(agent.position, other.position);
-    const double time = agent.top_speed > 0 ? std::min(horizon, way / agent.top_speed) : 0;
-    return other.position + time * other.velocity;
+    const Vec3 d = other.position - agent.position;
+    const Vec3& v = other.velocity;
+    const double c = dot(d, d), b = dot(d, v), a = dot(v, v) - agent.top_speed * agent.top_speed;
+    const double below = b * b - a * c;
+    const double divisor = below >= 0 ? std::sqrt(below) - b : 0;
+    const double time = divisor > 0 ? std::min(horizon, c / divisor) : horizon;
+    return other.position + time * v;
 }
 
 Vec3 nearest_on(const Vec3& a, const Vec3& b, const Vec3& point, double& share) noexcept {
@@ -50,24 +54,28 @@ Vec3 evade(const Agent& agent, const Agent& hunter, double horizon) noexcept {
     return flee(agent, foreseen(agent, hunter, horizon));
 }
 
-Vec3 follow_path(const Agent& agent, std::span<const Vec3> points, double ahead) noexcept {
-    if (points.empty()) return {};
+Vec3 follow_path(const Agent& agent, std::span<const Vec3> points, bool loop, double ahead) noexcept {
+    const std::size_t count = points.size();
+    if (count < 2) return count == 0 ? Vec3{} : arrive(agent, points[0], ahead);
+    const std::size_t pieces = loop ? count : count - 1;
+    const auto end_of = [&](std::size_t piece) { return points[(piece + 1) % count]; };
     std::size_t nearest = 0;
     double share = 0, least = HUGE_VAL;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    for (std::size_t i = 0; i < pieces; ++i) {
         double here = 0;
-        const double off = distance(nearest_on(points[i], points[i + 1], agent.position, here), agent.position);
+        const double off = distance(nearest_on(points[i], end_of(i), agent.position, here), agent.position);
         if (off >= least) continue;
         least = off;
         nearest = i;
         share = here;
     }
     double left = ahead;
-    for (std::size_t i = nearest; i + 1 < points.size(); ++i, share = 0) {
-        const double length = distance(points[i], points[i + 1]), rest = (1 - share) * length;
+    for (std::size_t walked = 0; walked < pieces && (loop || nearest < pieces); ++walked, share = 0) {
+        const double length = distance(points[nearest], end_of(nearest)), rest = (1 - share) * length;
         if (left <= rest && length > 0)
-            return seek(agent, points[i] + (share + left / length) * (points[i + 1] - points[i]));
+            return seek(agent, points[nearest] + (share + left / length) * (end_of(nearest) - points[nearest]));
         left -= rest;
+        nearest = loop ? (nearest + 1) % count : nearest + 1;
     }
     return arrive(agent, points.back(), ahead);
 }
@@ -79,6 +87,7 @@ Vec3 avoid_obstacles(const Agent& agent, std::span<const Obstacle> obstacles, do
     const Obstacle* nearest = nullptr;
     double nearest_way = speed * horizon;
     for (const Obstacle& each : obstacles) {
+        if (std::abs(dot(each.center - agent.position, agent.up)) >= each.radius) continue;
         const Vec3 to = across(each.center - agent.position, agent.up);
         const double way = dot(to, ahead);
         const double beside = norm(to - way * ahead);

@@ -23,13 +23,14 @@ Vec3 seek(const Agent& agent, const Vec3& target) noexcept;
 Vec3 flee(const Agent& agent, const Vec3& target) noexcept;
 /// To it, slower within `slowing` m of it, so as to stand there.
 Vec3 arrive(const Agent& agent, const Vec3& target, double slowing) noexcept;
-/// To where a quarry that goes on as it does will be when it is reached, foreseen over at most `horizon` s.
+/// To where the agent at top speed meets a quarry that goes straight on, foreseen over at most `horizon` s.
 Vec3 pursue(const Agent& agent, const Agent& quarry, double horizon) noexcept;
-/// Away from where a hunter will be.
+/// Away from where it would meet a hunter.
 Vec3 evade(const Agent& agent, const Agent& hunter, double horizon) noexcept;
-/// Along a line through `points` (m), from the first to the last: to the point of it `ahead` m further on than
-/// the one nearest to the agent, and to the last point as if to arrive. Nothing where there are no points.
-Vec3 follow_path(const Agent& agent, std::span<const Vec3> points, double ahead) noexcept;
+/// Along a line through `points` (m), from the first to the last, and on to the first where it is a `loop`: to
+/// the point of it `ahead` m further on than the one nearest to the agent; to the last point of an open one as
+/// if to arrive. Nothing where there are no points.
+Vec3 follow_path(const Agent& agent, std::span<const Vec3> points, bool loop, double ahead) noexcept;
 
 /// A ball to keep clear of.
 struct Obstacle {
@@ -37,7 +38,7 @@ struct Obstacle {
     double radius = 0;  ///< m, the agent's own included
 };
 /// Past whatever obstacle the agent would run into within `horizon` s, on the side on which its center is not;
-/// nothing where it is clear of all. The nearest one counts.
+/// nothing where it is clear of all. The nearest one counts; balls that do not touch the agent's plane do not.
 Vec3 avoid_obstacles(const Agent& agent, std::span<const Obstacle> obstacles, double horizon) noexcept;
 /// Away from others nearer than `reach` m, the nearer the more.
 Vec3 keep_apart(const Agent& agent, std::span<const Vec3> others, double reach) noexcept;

@@ -21,7 +21,7 @@ GaitState gait_state(const Conduct& conduct, CreatureState& state) noexcept {
 }
 
 /// A creature in one frame, and how it goes.
-struct Walk {
+struct Stepping {
     const Surface& surface;
     const Conduct& conduct;
     CreatureState& state;
@@ -31,7 +31,7 @@ struct Walk {
     double speed = 0;  ///< m/s
     Vec3 way;          ///< unit; nothing: it stands
 
-    Walk(const Surface& on, const Conduct& how, CreatureState& who, CreatureMeasures& counts) noexcept
+    Stepping(const Surface& on, const Conduct& how, CreatureState& who, CreatureMeasures& counts) noexcept
         : surface(on),
           conduct(how),
           state(who),
@@ -47,7 +47,7 @@ struct Walk {
 };
 
 /// Where the body will be in `time` s, if it goes on as it does.
-BodyPose body_in(const Walk& walk, double time) noexcept {
+BodyPose body_in(const Stepping& walk, double time) noexcept {
     BodyPose body = walk.body;
     const Rotor<double> turn = rotor(std::clamp(walk.state.spin * time, -1.0, 1.0));
     body.position += walk.speed * time * walk.way;
@@ -67,7 +67,7 @@ StepTimes step_times(const Pace& pace) noexcept {
             std::min(pace.duty / pace.frequency, kLongest)};
 }
 
-Foothold foothold_for(const Walk& walk, const Limb& limb, const Vec3& wanted, const BodyPose& landing,
+Foothold foothold_for(const Stepping& walk, const Limb& limb, const Vec3& wanted, const BodyPose& landing,
                       double search) noexcept {
     LegSolverOptions options;
     options.restarts = 2;      // a place that takes more is not worth it: there are others
@@ -86,7 +86,7 @@ Foothold foothold_for(const Walk& walk, const Limb& limb, const Vec3& wanted, co
 
 /// Where a foot that has found nothing feels about next: round and round where it would like to stand, and each
 /// time on a wider ring, up to its leg's reach.
-Vec3 searched_place(const Walk& walk, const Limb& limb, const Foot& foot, const Vec3& wanted,
+Vec3 searched_place(const Stepping& walk, const Limb& limb, const Foot& foot, const Vec3& wanted,
                     double search) noexcept {
     constexpr int kOnwards = 3;  // of the eight places on a ring
     const int number = 1 + static_cast<int>(foot.searches * kOnwards % (kFootholdTries - 1));
@@ -98,7 +98,7 @@ Vec3 searched_place(const Walk& walk, const Limb& limb, const Foot& foot, const 
 }
 
 /// To a foothold that it finds, or on searching: each time farther about, up to twice as far.
-void begin_swing(const Walk& walk, std::size_t leg) noexcept {
+void begin_swing(const Stepping& walk, std::size_t leg) noexcept {
     constexpr double kSearch = 0.4;  // of the leg's length
     const Limb& limb = walk.limb(leg);
     Foot& foot = walk.state.feet[leg];
@@ -121,7 +121,7 @@ void begin_swing(const Walk& walk, std::size_t leg) noexcept {
 }
 
 /// Feet as the gait sees them that cares for balance.
-void look_at_balance(const Walk& walk, std::span<SupportPoint> feet, SupportPoint& velocity) noexcept {
+void look_at_balance(const Stepping& walk, std::span<SupportPoint> feet, SupportPoint& velocity) noexcept {
     const Vec3& middle = walk.conduct.species->shape.center_of_mass;
     for (std::size_t leg = 0; leg < walk.legs(); ++leg) {
         const Vec3 place = from_world(walk.body, walk.state.feet[leg].place) - middle;
@@ -130,7 +130,7 @@ void look_at_balance(const Walk& walk, std::span<SupportPoint> feet, SupportPoin
     velocity = {walk.speed * dot(walk.way, walk.body.forward), walk.speed * dot(walk.way, walk.body.right)};
 }
 
-void advance_swings(const Walk& walk, double dt) noexcept {
+void advance_swings(const Stepping& walk, double dt) noexcept {
     std::array<std::uint8_t, kMaxLegs> strained{}, lifted{}, landed{};
     std::array<SupportPoint, kMaxLegs> feet;
     CreatureState& state = walk.state;
@@ -165,11 +165,11 @@ void advance_swings(const Walk& walk, double dt) noexcept {
 
 using LegResults = std::array<LegResult, kMaxLegs>;
 
-LegTarget target_of(const Walk& walk, std::size_t leg) noexcept {
+LegTarget target_of(const Stepping& walk, std::size_t leg) noexcept {
     return {to_limb(walk.limb(leg), from_world(walk.body, walk.state.feet[leg].place))};
 }
 
-LegResults solve_one_by_one(const Walk& walk) noexcept {
+LegResults solve_one_by_one(const Stepping& walk) noexcept {
     LegResults results;
     for (std::size_t leg = 0; leg < walk.legs(); ++leg)
         results[leg] =
@@ -177,7 +177,7 @@ LegResults solve_one_by_one(const Walk& walk) noexcept {
     return results;
 }
 
-LegResults solve_side_by_side(const Walk& walk) noexcept {
+LegResults solve_side_by_side(const Stepping& walk) noexcept {
     const LegLanes& lanes = *walk.conduct.lanes;
     std::array<double, kMaxLegs * kJoints> angles;
     std::array<double, kMaxLegs * 3> targets;
@@ -193,7 +193,7 @@ LegResults solve_side_by_side(const Walk& walk) noexcept {
     return results;
 }
 
-void reach_feet(const Walk& walk) noexcept {
+void reach_feet(const Stepping& walk) noexcept {
     const LegResults results =
         walk.conduct.lanes != nullptr ? solve_side_by_side(walk) : solve_one_by_one(walk);
     CreatureMeasures& measures = walk.measures;
@@ -225,7 +225,7 @@ double strain_of(const Limb& limb, const BodyPose& body, const Pace& pace, const
 void place_feet(const Surface& surface, const Conduct& conduct, CreatureState& state) noexcept {
     begin_gait(*conduct.gait, gait_state(conduct, state));
     CreatureMeasures unused;
-    const Walk walk(surface, conduct, state, unused);
+    const Stepping walk(surface, conduct, state, unused);
     for (std::size_t leg = 0; leg < walk.legs(); ++leg) {
         Foot& foot = state.feet[leg];
         state.poses[leg] = rest_pose(walk.limb(leg).leg);
@@ -240,7 +240,7 @@ void place_feet(const Surface& surface, const Conduct& conduct, CreatureState& s
 
 void step_feet(const Surface& surface, const Conduct& conduct, double dt, CreatureState& state,
                CreatureMeasures& measures) noexcept {
-    const Walk walk(surface, conduct, state, measures);
+    const Stepping walk(surface, conduct, state, measures);
     advance_swings(walk, dt);
     reach_feet(walk);
 }

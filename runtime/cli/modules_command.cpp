@@ -44,6 +44,7 @@ void print_module(const Manifest& manifest) {
     print_names("needs", manifest.needs);
     print_names("uses", manifest.uses);
     print_names("collects", manifest.collects);
+    print_names("meets", manifest.meets);
     print_names("brings", manifest.libraries);
     std::vector<std::string> phases;
     for (const Phase phase : manifest.phases) phases.emplace_back(to_string(phase));

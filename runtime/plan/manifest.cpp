@@ -138,6 +138,7 @@ std::optional<Manifest> parse_manifest(const std::string& text, const std::strin
     reader.take("needs", manifest.needs);
     reader.take("uses", manifest.uses);
     reader.take("collects", manifest.collects);
+    reader.take("meets", manifest.meets);
     reader.take("libraries", manifest.libraries);
     read_phases(reader, root, manifest, faults);
     if (manifest.id.empty()) reader.missing("id");

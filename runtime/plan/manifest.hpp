@@ -27,6 +27,7 @@ struct Manifest {
     std::vector<std::string> needs;
     std::vector<std::string> uses;
     std::vector<std::string> collects;
+    std::vector<std::string> meets;  ///< contracts that it finds once all are attached, in whatever order
     std::vector<Phase> phases;
     std::vector<std::string> libraries;
     std::vector<OptionSpec> options;

@@ -204,6 +204,8 @@ public:
                 report_unknown(member, key, pattern);
             } else if (member.node.table() != nullptr) {
                 read(member.node, key + ".", known + ".", into);
+            } else if (member.node.array() != nullptr && is_known(known + ".*")) {
+                read(numbered(member.node), key + ".", known + ".", into);
             } else {
                 faults_.push_back(
                     {member.node.where, fmt::format("'{}' is {}", key, show(member.node)), "a table", ""});
@@ -255,6 +257,13 @@ public:
     }
 
 private:
+    /// An array of tables as a table whose names are their numbers.
+    static Node numbered(const Node& array) {
+        Table table;
+        for (const Node& element : *array.array())
+            table.push_back({std::to_string(table.size()), element.where, element});
+        return {std::move(table), array.where};
+    }
     const OptionSpec* find_spec(const std::string& key) const {
         const auto found =
             std::find_if(specs_.begin(), specs_.end(), [&](const OptionSpec& s) { return s.key == key; });

@@ -53,6 +53,11 @@ void Instance::attach() {
                                     planned_.instance, contract));
 }
 
+void Instance::meet() {
+    FaultRecord record;
+    if (!library_->descriptor().meet(*module_, *this, record)) fail("while meeting the others", record);
+}
+
 void Instance::run(Phase phase, const Frame& frame, const std::function<bool()>& stop_asked) {
     const auto start = Clock::now();
     FaultRecord record;

@@ -32,6 +32,7 @@ public:
     Instance& operator=(const Instance&) = delete;
 
     void attach();
+    void meet();
     /// `stop_asked` answers Host::stop_asked() meanwhile; empty: no.
     void run(Phase phase, const Frame& frame, const std::function<bool()>& stop_asked = {});
     void restored();

@@ -57,6 +57,11 @@ void Session::load(Plan& plan) {
         }
         instances_.push_back(std::move(instance));
     }
+    if (!faults_.empty()) return;
+    for (const auto& instance : instances_) {
+        instance->meet();
+        faults_.insert(faults_.end(), instance->faults().begin(), instance->faults().end());
+    }
 }
 
 void Session::unload() noexcept {

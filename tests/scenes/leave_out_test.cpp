@@ -84,9 +84,16 @@ Names mapped_by(const std::string& scene, const Request& request) {
 TEST_CASE("headless, a scene maps its own physics and nothing else", "[scene]") {
     const std::map<std::string, Names> expected = {
         {"cliff", {"surface", "web", "wind"}},
+        {"chase", {"spider", "surface"}},
+        {"crowd", {"spider", "surface"}},
+        {"glass", {"spider", "surface"}},
+        {"huntsman_cliff", {"spider", "surface"}},
         {"geodesics", {"surface"}},
         {"huntsman_cube", {"spider", "surface"}},
+        {"huntsman_hill", {"spider", "surface"}},
         {"huntsman_room", {"spider", "surface"}},
+        {"path", {"spider", "surface"}},
+        {"wall_following", {"spider", "surface"}},
         {"meadow", {"web", "wind"}},
         {"thesis_web", {"web"}},
         {"strand", {"web"}},

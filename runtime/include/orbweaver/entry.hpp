@@ -12,7 +12,7 @@
 namespace orbweaver {
 
 /// Raised whenever ModuleDescriptor itself changes; checked before anything else is read.
-inline constexpr std::uint32_t kAbiVersion = 1;
+inline constexpr std::uint32_t kAbiVersion = 2;
 
 /// Everything the host may call of a module. No exception leaves these functions: false (or null)
 /// means that `fault` was filled in.
@@ -23,6 +23,7 @@ struct ModuleDescriptor {
     Module* (*create)(FaultRecord& fault) noexcept;
     void (*destroy)(Module* module) noexcept;
     bool (*attach)(Module& module, Host& host, FaultRecord& fault) noexcept;
+    bool (*meet)(Module& module, Host& host, FaultRecord& fault) noexcept;
     bool (*run)(Module& module, Phase phase, const Frame& frame, FaultRecord& fault) noexcept;
     bool (*restored)(Module& module, FaultRecord& fault) noexcept;
     bool (*finish)(Module& module, FaultRecord& fault) noexcept;
@@ -66,6 +67,9 @@ constexpr ModuleDescriptor describe(const char* manifest) noexcept {
         [](Module* module) noexcept { delete module; },
         [](Module& module, Host& host, FaultRecord& fault) noexcept {
             return guarded(fault, [&] { module.attach(host); });
+        },
+        [](Module& module, Host& host, FaultRecord& fault) noexcept {
+            return guarded(fault, [&] { module.meet(host); });
         },
         [](Module& module, Phase phase, const Frame& frame, FaultRecord& fault) noexcept {
             return guarded(fault, [&] { module.run(phase, frame); });

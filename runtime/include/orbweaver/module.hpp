@@ -83,13 +83,15 @@ public:
     void provide(Contract& implementation) {
         provide_contract(Contract::kContract, &implementation);
     }
-    /// The one provider of a contract that the manifest `needs` or `uses`; null only for `uses`.
+    /// The one provider of a contract that the manifest `needs` or `uses`; null only for `uses`, and for what
+    /// it `meets`.
     template <class Contract>
     Contract* find() const {
         const auto all = find_contract(Contract::kContract);
         return all.empty() ? nullptr : static_cast<Contract*>(all.front());
     }
-    /// Every provider of a contract that the manifest `collects`, in attach order.
+    /// Every provider of a contract that the manifest `collects`, in attach order; in Module::meet() of one
+    /// that it `meets`, whoever attached first.
     template <class Contract>
     std::vector<Contract*> collect() const {
         std::vector<Contract*> found;
@@ -115,6 +117,9 @@ public:
 
     /// Builds the instance: reads options, makes state arrays, provides and finds contracts.
     virtual void attach(Host& host) = 0;
+    /// Every module of the scene is attached, without a fault: finds the contracts that the manifest `meets`,
+    /// and may report faults of what they lack.
+    virtual void meet(Host&) {}
     /// Called for the phases that the manifest lists, once a frame (present: once a picture).
     virtual void run(Phase phase, const Frame& frame) = 0;
     /// The state block was just overwritten from a snapshot: rebuild caches.

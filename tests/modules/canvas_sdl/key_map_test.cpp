@@ -1,5 +1,6 @@
 #include "key_map.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -30,6 +31,21 @@ TEST_CASE("each key does what the list of keys says", "[unit]") {
     CHECK(events.help);
     for (const char* word : {"space", ".", "R ", "C ", "arrows", "wheel", "F1", "Esc"})
         CHECK(std::string(key_list()).find(word) != std::string::npos);
+}
+
+TEST_CASE("keys that are held lead a creature, and opposite ones cancel", "[unit]") {
+    std::array<Uint8, SDL_NUM_SCANCODES> held{};
+    const auto after = [&](std::initializer_list<SDL_Scancode> keys) {
+        held.fill(0);
+        for (const SDL_Scancode key : keys) held[key] = 1;
+        InputEvents events;
+        translate_held(held.data(), events);
+        return std::array{events.walk, events.turn};
+    };
+    CHECK(after({}) == std::array{0, 0});
+    CHECK(after({SDL_SCANCODE_W, SDL_SCANCODE_A}) == std::array{1, 1});
+    CHECK(after({SDL_SCANCODE_S, SDL_SCANCODE_D}) == std::array{-1, -1});
+    CHECK(after({SDL_SCANCODE_W, SDL_SCANCODE_S, SDL_SCANCODE_D}) == std::array{0, -1});
 }
 
 TEST_CASE("pausing twice within a picture is no pause, holding the key is one", "[unit]") {

@@ -44,14 +44,37 @@ TEST_CASE("who arrives stands there", "[unit]") {
     CHECK(norm(there.velocity) < 1e-3);
 }
 
-TEST_CASE("a pursuer heads for where its quarry will be", "[unit]") {
+TEST_CASE("a pursuer heads for where it meets its quarry", "[unit]") {
     const Agent quarry = agent_at({1, 0, 0}, {0, 0, 0.3});
     const Vec3 way = pursue(agent_at({}), quarry, 10);
-    // 1 m at 0.5 m/s: 2 s, in which the quarry comes 0.6 m far.
-    CHECK(way.z / way.x == Approx(0.6).epsilon(1e-12));
+    // 1 m across at sqrt(0.5^2 - 0.3^2) m/s: 2.5 s, in which the quarry comes 0.75 m far.
+    CHECK(way.z / way.x == Approx(0.75).epsilon(1e-12));
     CHECK(evade(agent_at({}), quarry, 10) == -way);
     const Vec3 soon = pursue(agent_at({}), quarry, 1);
     CHECK(soon.z / soon.x == Approx(0.3).epsilon(1e-12));
+    // Who is as fast is met where the ways' middles cross; who is faster and leaves, never.
+    const Vec3 level = pursue(agent_at({}), agent_at({1, 0, 0}, {-0.3, 0, 0.4}), 10);
+    CHECK(level.z / level.x == Approx(4.0 / 3).epsilon(1e-12));  // after 1/0.6 s
+    const Vec3 late = pursue(agent_at({}), agent_at({1, 0, 0}, {0, 0, 2}), 10);
+    CHECK(late.z / late.x == Approx(20).epsilon(1e-12));
+}
+
+TEST_CASE("a pursuer at full speed catches a quarry that goes straight on when it was foreseen", "[unit]") {
+    for (const Vec3 velocity : {Vec3{0, 0, 0.3}, Vec3{0.4, 0, 0.1}, Vec3{-0.2, 0, 0.4}, Vec3{}}) {
+        const Vec3 start{1, 0, 0};
+        // |start + velocity t| = 0.5 t
+        const double a = dot(velocity, velocity) - 0.25, b = dot(start, velocity);
+        const double predicted = (-b - std::sqrt(b * b - a)) / a;
+        constexpr double kStep = 1e-3;
+        Agent agent = agent_at({});
+        Agent quarry = agent_at(start, velocity);
+        int steps = 0;
+        for (; distance(agent.position, quarry.position) > 2 * 0.5 * kStep && steps < 100'000; ++steps) {
+            agent.position += kStep * pursue(agent, quarry, 100);
+            quarry.position += kStep * velocity;
+        }
+        CHECK(std::abs(steps * kStep - predicted) < 2e-2);  // the last 1 mm, at a closing speed of 0.05 m/s
+    }
 }
 
 TEST_CASE("a path is followed to its end", "[unit]") {
@@ -61,12 +84,33 @@ TEST_CASE("a path is followed to its end", "[unit]") {
         const double off = std::min({a.position.x > 1 ? a.position.x - 1 : std::abs(a.position.z),
                                      std::abs(a.position.x - 1), std::abs(a.position.z - 1)});
         farthest = std::max(farthest, off);
-        return follow_path(a, path, 0.2);
+        return follow_path(a, path, false, 0.2);
     });
     CHECK(distance(there.position, {0, 0, 1}) < 0.01);
     CHECK(farthest < 0.2);
-    CHECK(follow_path(agent_at({}), {}, 0.2) == Vec3{});
-    CHECK(distance(follow_path(agent_at({}), std::array<Vec3, 1>{{{1, 0, 0}}}, 0.2), {0.5, 0, 0}) < 1e-15);
+    CHECK(follow_path(agent_at({}), {}, false, 0.2) == Vec3{});
+    CHECK(distance(follow_path(agent_at({}), std::array<Vec3, 1>{{{1, 0, 0}}}, true, 0.2), {0.5, 0, 0}) <
+          1e-15);
+}
+
+TEST_CASE("a loop is followed round and round", "[unit]") {
+    const std::vector<Vec3> square{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}};
+    int rounds = 0;
+    double farthest = 0;
+    Vec3 before{0, 0, 0.5};
+    run(agent_at({0, 0, 0.5}), 40, [&](const Agent& a) {
+        if (a.position.x < 0.5 && before.z > 0.5 && a.position.z <= 0.5) ++rounds;
+        before = a.position;
+        const double inside = std::min({a.position.x, 1 - a.position.x, a.position.z, 1 - a.position.z});
+        farthest = std::max(farthest, std::abs(inside));
+        return follow_path(a, square, true, 0.15);
+    });
+    CHECK(rounds >= 4);  // 20 m of a way of 4 m, less what corners are cut by
+    CHECK(rounds <= 6);
+    CHECK(farthest < 0.15);
+    // From the last side it heads past the first corner.
+    const Vec3 way = follow_path(agent_at({0, 0, 0.05}), square, true, 0.15);
+    CHECK(way.x / way.z == Approx(-2).epsilon(1e-9));
 }
 
 TEST_CASE("obstacles are passed on the nearer side, and dead ahead too", "[unit]") {
@@ -83,6 +127,9 @@ TEST_CASE("obstacles are passed on the nearer side, and dead ahead too", "[unit]
     }
     CHECK(avoid_obstacles(agent_at({}), std::array<Obstacle, 1>{{{{0.1, 0, 0}, 0.5}}}, 1) == Vec3{});
     CHECK(avoid_obstacles(agent_at({}, {-0.5, 0, 0}), std::array<Obstacle, 1>{{{{1, 0, 0}, 0.2}}}, 9) ==
+          Vec3{});
+    // What is beyond a wall, or above, is no obstacle.
+    CHECK(avoid_obstacles(agent_at({}, {0.5, 0, 0}), std::array<Obstacle, 1>{{{{1, 0.3, 0}, 0.2}}}, 9) ==
           Vec3{});
 }
 

@@ -31,6 +31,7 @@ provides = ["threads/1"]
 needs = ["a/1"]
 uses = ["b/1", "c/1"]
 collects = ["d/1"]
+meets = ["e/1"]
 phases = ["sense", "present"]
 libraries = ["Eigen"]
 
@@ -63,6 +64,7 @@ meaning = "pixels"
     CHECK(manifest->needs == std::vector<std::string>{"a/1"});
     CHECK(manifest->uses == std::vector<std::string>{"b/1", "c/1"});
     CHECK(manifest->collects == std::vector<std::string>{"d/1"});
+    CHECK(manifest->meets == std::vector<std::string>{"e/1"});
     CHECK(manifest->phases == std::vector<Phase>{Phase::sense, Phase::present});
     CHECK(manifest->libraries == std::vector<std::string>{"Eigen"});
     CHECK(manifest->text == text);
@@ -109,7 +111,7 @@ TEST_CASE("a manifest that is wrong says where and how", "[extreme]") {
          "id = \"a\"\nversion = \"1\"\ncolour = 3\n",
          {"m.toml:3:1: a manifest has no key 'colour'; expected id, version, summary, table, several, when, "
           "provides, "
-          "needs, uses, collects, libraries, phases, options or study"}},
+          "needs, uses, collects, meets, libraries, phases, options or study"}},
         {"options no table",
          "id = \"a\"\nversion = \"1\"\noptions = 3\n",
          {"m.toml:3:11: 'options' is 3; expected a table"}},

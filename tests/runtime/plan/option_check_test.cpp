@@ -337,6 +337,15 @@ TEST_CASE("an option may lie in tables that the scene names as it likes", "[unit
     CHECK_FALSE(checked.options.has("material.Rough.001.climbable"));
     CHECK(Checked("").options.names_in("material").empty());
 
+    const Checked numbered("[[material]]\nfriction = 1\n[[material]]\nfriction = 2\nclimbable = true\n");
+    CHECK(numbered.faults.empty());
+    CHECK(numbered.options.names_in("material") == std::vector<std::string>{"0", "1"});
+    CHECK(numbered.options.number("material.1.friction") == 2);
+    const Checked odd("material = [{ friction = 1 }, 2]\n[[camera]]\nfov = 1\n");
+    REQUIRE(odd.faults.size() == 2);
+    CHECK(to_string(odd.faults[0]) == "s.toml:1:31: 'material.1' is 2; expected a table");
+    CHECK(odd.faults[1].what == "'camera' is an array of 1");
+
     const Checked wrong("[material.glass]\nfriction = 11\nfrictoin = 1\n[material]\nice = 3\n");
     REQUIRE(wrong.faults.size() == 3);
     CHECK(to_string(wrong.faults[0]) ==

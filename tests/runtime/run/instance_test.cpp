@@ -68,6 +68,11 @@ TEST_CASE("what a module throws later names the call, the frame and the phase", 
     }
 }
 
+TEST_CASE("what a module throws while it meets the others ends the opening", "[extreme]") {
+    CHECK(opening_fault("[thrower]\nwhere = \"meet\"\n", {"thrower"}) ==
+          "module 'thrower' failed while meeting the others: the well is dry; dig deeper");
+}
+
 TEST_CASE("a module whose constructor throws is refused by name", "[extreme]") {
     const char* sentence = "module 'throws_in_constructor' cannot be made: no ground to stand on";
     CHECK(opening_fault("[throws_in_constructor]\n", {"throws_in_constructor"}) == sentence);
@@ -108,7 +113,7 @@ TEST_CASE("an instance offers its options, state, telemetry and report", "[unit]
     const ModuleReport report = second.report();
     CHECK(report.method == "counting");
     CHECK(report.steps == 4);
-    CHECK(report.measures.size() == 4);
+    CHECK(report.measures.size() == 5);
     CHECK(second.wall_seconds() > 0);
     CHECK(second.block().entries().size() == 3);
 }

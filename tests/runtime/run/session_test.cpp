@@ -84,6 +84,13 @@ TEST_CASE("a consumer reads its provider in the frame that it provides for", "[u
     CHECK(opened.session->find<Tally>()->total() == 7);
 }
 
+TEST_CASE("modules of one kind meet each other, those attached later too", "[unit]") {
+    const OpenedScene opened("[[counter]]\n[[counter]]\n[[counter]]\n", {"counter"});
+    for (const auto& instance : opened.session->instances())
+        for (const auto& [name, value] : instance->report().measures)
+            if (name == "met") CHECK(std::get<std::int64_t>(value) == 3);
+}
+
 TEST_CASE("scene faults that modules find while attaching are all kept, with their places", "[unit]") {
     const OpenedScene opened("[counter]\n[reader]\nfault = true\n", {"counter", "reader"});
     CHECK(sentences(opened.session->faults()) ==

@@ -13,6 +13,8 @@ struct InputEvents {
     double orbit_y = 0;  ///< fraction of the window's height dragged, up positive
     double zoom = 0;     ///< wheel notches, towards positive
     bool help = false;   ///< print the list of keys
+    int walk = 0;        ///< keys that are held: 1 forward, -1 back
+    int turn = 0;        ///< the same: 1 to the left, -1 to the right
 };
 
 /// Keys and mouse of a window.
