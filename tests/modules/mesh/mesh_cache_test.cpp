@@ -14,6 +14,8 @@ using namespace orbweaver::mesh;
 
 namespace {
 
+using Environment = test::CacheEnvironment;
+
 void bake_into(const std::string& path, std::span<const Companion> companions = {}) {
     Validation validation;
     const SurfaceMeshData mesh = test::build(cube(1, 1), validation);
@@ -27,7 +29,7 @@ void bake_into(const std::string& path, std::span<const Companion> companions = 
 }  // namespace
 
 TEST_CASE("another source or another recipe has another place, another name of the source has not", "[unit]") {
-    const test::CacheEnvironment environment;
+    const Environment environment;
     const test::Scratch folder;
     ::setenv("ORBWEAVER_CACHE", folder.path("cache").c_str(), 1);
     const std::string source = folder.write("a.obj", "v 0 0 0\n");
@@ -40,7 +42,7 @@ TEST_CASE("another source or another recipe has another place, another name of t
 }
 
 TEST_CASE("a mesh is found once it is baked, until a companion of its source changes", "[unit]") {
-    const test::CacheEnvironment environment;
+    const Environment environment;
     const test::Scratch folder;
     ::setenv("ORBWEAVER_CACHE", folder.path("cache").c_str(), 1);
     const std::string source = folder.write("m.gltf", "source");
@@ -63,7 +65,7 @@ TEST_CASE("a mesh is found once it is baked, until a companion of its source cha
 }
 
 TEST_CASE("a baked file is opened as it is, a damaged one in the cache is as good as none", "[unit]") {
-    const test::CacheEnvironment environment;
+    const Environment environment;
     const test::Scratch folder;
     ::setenv("ORBWEAVER_CACHE", folder.path("").c_str(), 1);
     bake_into(folder.path("m.baked"));
