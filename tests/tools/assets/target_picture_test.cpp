@@ -75,7 +75,7 @@ TEST_CASE("a picture keeps its proportions and lies in the middle; beside it not
     CHECK(top + bottom == Approx(600).margin(3));
     stage.recipe.invert = true;
     const Bitmap inverted = stage.coverage();
-    CHECK(dark(inverted) == 600 * 480 - dark(coverage));  // what is beside stays bright
+    CHECK(dark(inverted) == std::size_t{600} * 480 - dark(coverage));  // what is beside stays bright
     CHECK(inverted.row(0)[300] == 0);
     CHECK(inverted.row(60)[0] == 1);
 }
@@ -97,7 +97,7 @@ TEST_CASE("a threshold parts what is darker from what is not", "[unit]") {
     stage.recipe.width = stage.recipe.height = 256;
     for (const int level : {1, 64, 200, 255}) {
         stage.recipe.threshold = level / 255.0 - 1e-4;
-        CHECK(dark(stage.coverage()) == 256U * static_cast<unsigned>(level));
+        CHECK(dark(stage.coverage()) == std::size_t{256} * static_cast<std::size_t>(level));
     }
 }
 

@@ -74,7 +74,7 @@ TEST_CASE("an I is one solid bar that reaches from margin to margin, in the midd
     CHECK(box.top == 60);
     CHECK(box.bottom == 540);
     CHECK(box.left + box.right == 600);
-    CHECK(dark(coverage) == (box.right - box.left) * (box.bottom - box.top));
+    CHECK(dark(coverage) == std::size_t{box.right - box.left} * (box.bottom - box.top));
 }
 
 TEST_CASE("letters are where and as many as they should be: an H has two posts and a bar", "[unit]") {
