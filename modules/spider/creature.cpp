@@ -14,6 +14,7 @@ namespace orbweaver::spider {
 namespace {
 
 constexpr double kForesight = 0.35;  // s, in which it sees borders coming and what no foot holds on
+constexpr double kCreep = 0.1;       // of its top speed
 
 double body_length(const Species& species) noexcept {
     return species.body.head.x + species.body.thorax.x + species.body.abdomen.x;
@@ -32,13 +33,26 @@ double alignment(const CreatureState& state, const Vec3& wanted_up) noexcept {
     return std::clamp(1 - (off - kNear) / (kFar - kNear), kSlowest, 1.0);
 }
 
+/// Who wanders to where the surface ends is turned aside, to the side that has more room: the nearer the
+/// end, the slower.
+Vec3 clear_of_borders(const Ground& ground, const Feel& feel, double reach, const Vec3& wanted) noexcept {
+    constexpr double kSlowest = 0.05, kApart = 0.3;  // of the speed; of the reach, which is kept from it
+    if (feel.border_distance >= reach) return wanted;
+    const Vec3 left = cross(ground.footing.up, ground.facing);
+    return norm(wanted) * std::max(kSlowest, feel.border_distance / reach - kApart) *
+           (feel.room_left >= feel.room_right ? left : -1 * left);
+}
+
 Vec3 wish(const Surface& surface, const Conduct& conduct, const Company& company, const Agent& agent,
-          double reach, double dt, CreatureState& state, CreatureMeasures& measures) noexcept {
+          const Feel& feel, double reach, double dt, CreatureState& state,
+          CreatureMeasures& measures) noexcept {
     const Behaviors& wants = conduct.behaviors;
     const double speed = norm(state.ground.velocity);
     const Vec3 ahead = speed > 0 ? state.ground.velocity / speed : state.ground.facing;
     Vec3 wandering, along_wall;
-    if (wants.wander > 0) wandering = wander(agent, ahead, conduct.wander, company.random, dt, state.wander);
+    if (wants.wander > 0)
+        wandering = clear_of_borders(state.ground, feel, reach,
+                                     wander(agent, ahead, conduct.wander, company.random, dt, state.wander));
     if (wants.follow_wall > 0)
         along_wall =
             follow_wall(surface, state.ground, agent, reach, wants.walls, company.random, dt, state.wall);
@@ -47,16 +61,6 @@ Vec3 wish(const Surface& surface, const Conduct& conduct, const Company& company
     const Vec3 open = open_way(surface, footing, wanted, kForesight, conduct.gravity);
     if (!(open == wanted)) ++measures.turned_aside;
     return open;
-}
-
-/// A wish that leads to where the surface ends is turned aside, to the side that has more room: the nearer the
-/// end, the slower.
-Vec3 clear_of_borders(const Ground& ground, const Feel& feel, double reach, const Vec3& wanted) noexcept {
-    constexpr double kSlowest = 0.05, kApart = 0.3;  // of the speed; of the reach, which is kept from it
-    if (feel.border_distance >= reach) return wanted;
-    const Vec3 left = cross(ground.footing.up, ground.facing);
-    return norm(wanted) * std::max(kSlowest, feel.border_distance / reach - kApart) *
-           (feel.room_left >= feel.room_right ? left : -1 * left);
 }
 
 /// A wish is bent away from where feet find nothing to stand on, or no more than a rim.
@@ -75,13 +79,13 @@ Vec3 away_from_gaps(const Conduct& conduct, const CreatureState& state, const Ve
 }
 
 /// A creature goes where its head looks, or little aside of it: what it wishes to go farther about waits for
-/// the head to turn, the slower the farther.
-Vec3 ahead_of_head(const Ground& ground, const Vec3& wanted) noexcept {
+/// the head to turn, the slower the farther. Whoever is as slow as `creep` (m/s) may go aside.
+Vec3 ahead_of_head(const Ground& ground, double creep, const Vec3& wanted) noexcept {
     constexpr double kAside = 25, kSlowest = 0.3;  // degrees; of the speed
     const double speed = norm(wanted);
-    if (speed == 0) return wanted;
+    if (speed <= creep) return wanted;
     const Vec3 way = turned_about(ground.footing.up, ground.facing, wanted / speed, kAside);
-    return std::max(kSlowest, dot(way, wanted) / speed) * speed * way;
+    return std::max(creep, std::max(kSlowest, dot(way, wanted) / speed) * speed) * way;
 }
 
 /// Turns the head as it is told; where it is to go, m/s: not over a border or onto what no foot holds on.
@@ -100,9 +104,8 @@ Vec3 obey(const Surface& surface, const Conduct& conduct, const Command& command
 
 void steer(const Surface& surface, const Conduct& conduct, const Company& company, const Feel& feel,
            double reach, double dt, CreatureState& state, CreatureMeasures& measures) noexcept {
-    const double careful =
-        std::min({caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest),
-                  alignment(state, feel.up), patience(state)});
+    const double careful = std::min({caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest),
+                                     alignment(state, feel.up), patience(state)});
     Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
                 conduct.pace.top_speed * careful};
     Vec3 wanted;
@@ -111,11 +114,9 @@ void steer(const Surface& surface, const Conduct& conduct, const Company& compan
     } else {
         if (conduct.rests) advance_pauses(conduct.pauses, company.random, dt, state.pause);
         if (!state.pause.stands || is_hunted(conduct.behaviors, agent, company))
-            wanted = clear_of_borders(
-                state.ground, feel, reach,
-                away_from_gaps(conduct, state,
-                               wish(surface, conduct, company, agent, reach, dt, state, measures)));
-        wanted = ahead_of_head(state.ground, wanted);
+            wanted = away_from_gaps(conduct, state,
+                                    wish(surface, conduct, company, agent, feel, reach, dt, state, measures));
+        wanted = ahead_of_head(state.ground, kCreep * conduct.pace.top_speed, wanted);
     }
     agent.top_speed = conduct.pace.top_speed;
     state.ground.velocity = accelerate(agent, control(agent, wanted, conduct.response, conduct.strength), dt);

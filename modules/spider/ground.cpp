@@ -37,6 +37,23 @@ bool has_headroom(const Surface& surface, const Footing& there, double headroom)
     return surface.first_hit({start, there.up, headroom}).answer != Answer::found;
 }
 
+/// Whether a body would come to a ceiling there: not to the other side of a corner of 50 degrees and more, on
+/// which it goes on and has room again.
+bool is_too_low(const Surface& surface, const Footing& there, double headroom) noexcept {
+    constexpr double kThrough = 3;       // times the headroom
+    constexpr double kSharpest = -0.64;  // cosine of what the up turns by
+    if (has_headroom(surface, there, headroom)) return false;
+    std::array<StrideCorner, 4> corners;
+    const SurfaceStride on = surface.stride(there, kThrough * headroom, corners);
+    const auto turns_over = [](const StrideCorner& corner) {
+        const double cosine = dot(corner.up_before, corner.up_after);
+        return corner.rises && cosine < 0 && cosine > kSharpest;
+    };
+    const std::size_t met = std::min<std::size_t>(on.corners, corners.size());
+    return std::none_of(corners.begin(), corners.begin() + met, turns_over) ||
+           !has_headroom(surface, on.step.end, headroom);
+}
+
 }  // namespace
 
 MoveEnd move(const Surface& surface, double dt, double headroom, Ground& ground) noexcept {
@@ -46,7 +63,7 @@ MoveEnd move(const Surface& surface, double dt, double headroom, Ground& ground)
     from.forward = ground.velocity / speed;
     const SurfaceStep step = surface.stride(from, speed * dt, {}).step;
     if (step.answer != Answer::found) return MoveEnd::lost;
-    if (!has_headroom(surface, step.end, headroom) && has_headroom(surface, from, headroom)) {
+    if (is_too_low(surface, step.end, headroom) && has_headroom(surface, from, headroom)) {
         ground.velocity = -1 * ground.velocity;
         return MoveEnd::turned;
     }
@@ -76,7 +93,7 @@ Feel feel_ahead(const Surface& surface, const Ground& ground, double reach, doub
     feel.up = unit_or(ahead.step.end.up + here + behind.step.end.up, here);
     feel.corner_distance = feel.border_distance = reach * 2;
     const bool ends = ahead.step.stop == StepStop::border;
-    if (ends || !has_headroom(surface, ahead.step.end, headroom)) {
+    if (ends || is_too_low(surface, ahead.step.end, headroom)) {
         const Vec3 left = cross(here, ground.facing);
         feel.border_distance = ends ? ahead.step.walked : reach / 2;
         feel.room_left = stride_from(surface, ground, ground.facing + left, reach, {}).step.walked;

@@ -52,7 +52,9 @@ Wall find_wall(const Surface& surface, const Footing& ground, const Vec3& way, d
 Vec3 follow_wall(const Surface& surface, const Ground& ground, const Agent& agent, double reach,
                  const WallSettings& settings, const RandomStream& random, double dt,
                  WallState& state) noexcept {
-    constexpr double kGivesUp = 4;  // times as fast as it would decide anew, where the wall has ended
+    constexpr double kGivesUp = 4;    // times as fast as it would decide anew, where the wall has ended
+    constexpr double kSlowest = 0.1;  // of its speed, before a wall that its head still looks at
+    constexpr double kTurning = 0.5;  // s, that its head takes to turn
     const Vec3& facing = ground.facing;
     const Vec3 left = cross(agent.up, facing);
     state.left -= dt;
@@ -76,10 +78,12 @@ Vec3 follow_wall(const Surface& surface, const Ground& ground, const Agent& agen
     }
     if (state.side == 0) return {};
     // A wall ahead stands across the one at the side: on along it, with it at the same side.
-    if (ahead.found && ahead.distance < 2 * settings.distance && dot(ahead.toward, facing) > 0.5) {
+    if (ahead.found && ahead.distance < 2 * settings.distance + kTurning * agent.top_speed &&
+        dot(ahead.toward, facing) > 0.5) {
         const Vec3 away = -state.side * left;
-        return beside(agent, dot(ahead.along, away) < 0 ? -1 * ahead.along : ahead.along, ahead,
-                      settings.distance);
+        const Vec3 way = beside(agent, dot(ahead.along, away) < 0 ? -1 * ahead.along : ahead.along, ahead,
+                                settings.distance);
+        return std::clamp(ahead.distance / settings.distance - 1, kSlowest, 1.0) * way;
     }
     if (side.found) return beside(agent, facing, side, settings.distance);
     if (ahead.found) return beside(agent, facing, ahead, settings.distance);

@@ -15,7 +15,7 @@ constexpr Vec3 kGravity{0, -9.81, 0};
 Land glass_room() {
     surface::GripOverrides grips;
     grips.patches.push_back({0.1, false});
-    for (std::uint32_t polygon = 32; polygon < 48; ++polygon) grips.patched.emplace_back(polygon, 0);
+    grips.patched.push_back({32, 47, 0});
     return Land(mesh::room(0.5, 4), grips);
 }
 
