@@ -93,7 +93,7 @@ Feel feel_ahead(const Surface& surface, const Ground& ground, double reach, doub
     feel.up = unit_or(ahead.step.end.up + here + behind.step.end.up, here);
     feel.corner_distance = feel.border_distance = reach * 2;
     const bool ends = ahead.step.stop == StepStop::border;
-    if (ends || is_too_low(surface, ahead.step.end, headroom)) {
+    if (ends || !has_headroom(surface, ahead.step.end, headroom)) {
         const Vec3 left = cross(here, ground.facing);
         feel.border_distance = ends ? ahead.step.walked : reach / 2;
         feel.room_left = stride_from(surface, ground, ground.facing + left, reach, {}).step.walked;
