@@ -50,6 +50,7 @@ struct Company {
     double keep_apart = 0;       ///< m, from them
     std::optional<Agent> quarry = std::nullopt, hunter = std::nullopt;
     std::optional<Command> command = std::nullopt;  ///< by hand: overrides what it wants
+    bool orients = true;                            ///< looks in this frame for the up that it wants
 };
 
 /// The wish of all behaviors together (m/s) of an agent at `at`; of those that have a state it is given, as

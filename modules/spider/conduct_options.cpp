@@ -21,6 +21,12 @@ PaceRange pace_of(const Options& options, const Walk& walk) {
     return pace;
 }
 
+TurnCurve turn_curve_of(std::string_view name) {
+    return name == "cosine"             ? TurnCurve::cosine
+           : name == "slow_in_slow_out" ? TurnCurve::slow_in_slow_out
+                                        : TurnCurve::linear;
+}
+
 /// The behaviors of one table of a scene; a path is laid along the surface.
 class BehaviorReader {
 public:
@@ -145,7 +151,11 @@ Conduct conduct_of(Host& host, const Surface& surface, const Species& species) {
     conduct.wander.displacement = options.number("wander.displacement");
     conduct.wander.rate = options.number("wander.rate");
     conduct.rests = options.flag("rests");
+    conduct.motion = find_motion_method(options.text("motion"));
     conduct.turn_rate = options.number("turn_rate");
+    conduct.turn_curve = turn_curve_of(options.text("turn_curve"));
+    conduct.turn_steps = static_cast<std::uint32_t>(options.integer("turn_steps"));
+    conduct.orient_every = static_cast<std::uint32_t>(options.integer("orient_every"));
     conduct.gravity = host.scene().gravity;
     return conduct;
 }

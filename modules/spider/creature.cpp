@@ -102,7 +102,8 @@ Vec3 obey(const Surface& surface, const Conduct& conduct, const Command& command
     return {};
 }
 
-void steer(const Surface& surface, const Conduct& conduct, const Company& company, const Feel& feel,
+/// Gives it another velocity; m/s, by which it is to move.
+Vec3 steer(const Surface& surface, const Conduct& conduct, const Company& company, const Feel& feel,
            double reach, double dt, CreatureState& state, CreatureMeasures& measures) noexcept {
     const double careful = std::min({caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest),
                                      alignment(state, feel.up), patience(state)});
@@ -119,14 +120,17 @@ void steer(const Surface& surface, const Conduct& conduct, const Company& compan
         wanted = ahead_of_head(state.ground, kCreep * conduct.pace.top_speed, wanted);
     }
     agent.top_speed = conduct.pace.top_speed;
-    state.ground.velocity = accelerate(agent, control(agent, wanted, conduct.response, conduct.strength), dt);
+    const Motion motion = moved(conduct.motion, agent, wanted, conduct.response, conduct.strength, dt);
+    state.ground.velocity = motion.velocity;
+    return motion.way;
 }
 
 /// Moves, but not onto what no foot holds on: there it turns back as at a border.
-void move_where_it_holds(const Surface& surface, const Conduct& conduct, double dt, Ground& ground,
-                         CreatureMeasures& measures) noexcept {
+void move_where_it_holds(const Surface& surface, const Conduct& conduct, double dt, const Vec3& way,
+                         Ground& ground, CreatureMeasures& measures) noexcept {
     Ground moved = ground;
-    if (move(surface, dt, 1.3 * conduct.species->carriage, moved) == MoveEnd::lost) ++measures.lost_frames;
+    const MoveEnd end = move(surface, dt, 1.3 * conduct.species->carriage, way, moved);
+    if (end == MoveEnd::lost) ++measures.lost_frames;
     if (holds(surface.grip(moved.footing.at.face), moved.footing.up, conduct.gravity)) {
         ground = moved;
         return;
@@ -218,7 +222,7 @@ void place_creature(const Surface& surface, const Conduct& conduct, const Footin
                     CreatureState& state) noexcept {
     state.ground.footing = footing;
     state.ground.facing = state.forward = footing.forward;
-    state.turn.up = footing.up;
+    state.turn.up = state.turn.to = footing.up;
     hold_body(surface, conduct, 0, state);
     place_feet(surface, conduct, state);
 }
@@ -237,10 +241,10 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
     const Before before(conduct, state);
     const double reach = feel_reach(species);
     const Feel feel = feel_ground(surface, species, state.ground);
-    steer(surface, conduct, company, feel, reach, dt, state, measures);
-    move_where_it_holds(surface, conduct, dt, state.ground, measures);
+    const Vec3 way = steer(surface, conduct, company, feel, reach, dt, state, measures);
+    move_where_it_holds(surface, conduct, dt, way, state.ground, measures);
     if (!company.command) face_ahead(conduct.turn_rate * dt, state.ground);
-    turn_body(conduct, feel.up, dt, state);
+    turn_body(conduct, company.orients ? feel.up : state.turn.to, dt, state);
     const double below = hold_body(surface, conduct, dt, state);
     step_feet(surface, conduct, dt, state, measures);
     bend_back(conduct, dt, state);

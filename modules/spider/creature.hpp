@@ -13,6 +13,7 @@
 #include "leg_lanes.hpp"
 #include "leg_solver.hpp"
 #include "measures.hpp"
+#include "motion.hpp"
 #include "orbweaver/contracts/surface.hpp"
 #include "orbweaver/random.hpp"
 #include "pauses.hpp"
@@ -37,14 +38,16 @@ struct Conduct {
     Behaviors behaviors;
     WanderSettings wander;
     PauseSettings pauses;
-    bool rests = true;       ///< stops at random
+    bool rests = true;  ///< stops at random
+    MotionMethod motion = MotionMethod::euler;
     double response = 0.15;  ///< s, in which it comes to the velocity that it wants
     double strength = 2;     ///< m/s^2, at most
     double turn_rate = 110;  ///< degrees a second, of head and up
     TurnCurve turn_curve = TurnCurve::linear;
-    std::uint32_t turn_steps = 12;  ///< of a turn to a new polygon
-    double slowest = 0.35;          ///< of its speed, at a right-angled corner
-    Vec3 gravity;                   ///< m/s^2, that feet hold on against
+    std::uint32_t turn_steps = 12;   ///< of a turn to a new polygon
+    std::uint32_t orient_every = 1;  ///< frames, how often it looks for the up that it wants
+    double slowest = 0.35;           ///< of its speed, at a right-angled corner
+    Vec3 gravity;                    ///< m/s^2, that feet hold on against
 };
 
 /// A foot, of a leg of a creature.

@@ -56,11 +56,11 @@ bool is_too_low(const Surface& surface, const Footing& there, double headroom) n
 
 }  // namespace
 
-MoveEnd move(const Surface& surface, double dt, double headroom, Ground& ground) noexcept {
-    const double speed = norm(ground.velocity);
+MoveEnd move(const Surface& surface, double dt, double headroom, Vec3 way, Ground& ground) noexcept {
+    const double speed = norm(way);
     if (speed == 0) return MoveEnd::moved;
     Footing from = ground.footing;
-    from.forward = ground.velocity / speed;
+    from.forward = way / speed;
     const SurfaceStep step = surface.stride(from, speed * dt, {}).step;
     if (step.answer != Answer::found) return MoveEnd::lost;
     if (is_too_low(surface, step.end, headroom) && has_headroom(surface, from, headroom)) {
@@ -68,7 +68,7 @@ MoveEnd move(const Surface& surface, double dt, double headroom, Ground& ground)
         return MoveEnd::turned;
     }
     ground.facing = unit_or(carried(ground.facing, from, step.end), step.end.forward);
-    ground.velocity = speed * step.end.forward;
+    ground.velocity = carried(ground.velocity, from, step.end);
     ground.footing = step.end;
     if (step.stop == StepStop::none) return MoveEnd::moved;
     ground.velocity = -1 * ground.velocity;

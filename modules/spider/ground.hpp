@@ -18,10 +18,10 @@ enum class MoveEnd : std::uint8_t {
     lost,    ///< the surface had no answer: it stays where it was
 };
 
-/// Along the surface by velocity * dt, straight on over edges and vertices, and on to other shells that stand
-/// in the way; velocity and facing turn with the surface. Who has `headroom` m above it does not go where there
-/// is less, as under a crate: that is like a border.
-MoveEnd move(const Surface& surface, double dt, double headroom, Ground& ground) noexcept;
+/// Along the surface by `way` (m/s, across up) * dt, straight on over edges and vertices, and on to other
+/// shells that stand in the way; velocity and facing turn with the surface. Who has `headroom` m above it does
+/// not go where there is less, as under a crate: that is like a border.
+MoveEnd move(const Surface& surface, double dt, double headroom, Vec3 way, Ground& ground) noexcept;
 
 /// Turns the head towards where the creature goes, by no more than `most_degrees`; one that stands looks on.
 void face_ahead(double most_degrees, Ground& ground) noexcept;

@@ -71,7 +71,7 @@ struct Limb {
 struct Species {
     std::string name;
     Body body;
-    BodyShape shape;          ///< of the body
+    BodyShape shape;  ///< of the body
     Walk walk;
     Coat coat;
     std::vector<Limb> limbs;  ///< R1 L1 R2 L2 ...

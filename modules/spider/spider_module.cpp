@@ -71,6 +71,7 @@ public:
         step_ = frame.step;
         gather_crowd();
         const std::optional<Command> command = command_now(frame.time);
+        orients_ = frame.index % conduct_.orient_every == 0;
         for_each([&](std::size_t i) { advance_one(i, i == 0 ? command : std::nullopt, frame.step); });
         keep_state();
     }
@@ -239,6 +240,7 @@ private:
         Company company{random_[i], std::span(near).first(count), conduct_.behaviors.apart, {}, {}, command};
         company.quarry = nearest_in(quarries_, i);
         company.hunter = nearest_in(hunters_, i);
+        company.orients = orients_;
         advance_creature(*surface_, conduct_, company, dt, creatures_[i], measures_[i]);
     }
 
@@ -278,7 +280,8 @@ private:
     std::span<Vec3> position_, velocity_, up_, forward_, foot_;  // state
     std::span<double> numbers_;                                  // state
     std::size_t per_creature_ = 0;
-    double step_ = 1;  // s, of a frame
+    double step_ = 1;      // s, of a frame
+    bool orients_ = true;  // in this frame
 };
 
 }  // namespace

@@ -177,3 +177,19 @@ TEST_CASE("the nearest of a group is never oneself", "[unit]") {
     group.places.resize(1);
     CHECK_FALSE(nearest_of(group, {}, 0));
 }
+
+TEST_CASE("who does not look for the ground's up keeps the one that it last wanted", "[unit]") {
+    const Land land(mesh::sphere(1, 8));
+    const auto up_after = [&](bool orients) {
+        Walker walker(land, purposeful(), {0, 0.5, 0}, {0, 1, 0}, {1, 0, 0});
+        for (int i = 0; i < 60; ++i) {
+            Company company{walker.random, {}};
+            company.command = Command{0.1, 0};
+            company.orients = orients;
+            advance_creature(land.surface(), walker.conduct, company, kFrame, walker.state, walker.measures);
+        }
+        return walker.state.turn.up;
+    };
+    CHECK(up_after(false) == land.stand({0, 0.5, 0}, {0, 1, 0}, {1, 0, 0}).up);
+    CHECK(up_after(true).x == Approx(0.2).margin(0.05));  // 0.1 m on a ball of 0.5 m
+}

@@ -185,3 +185,15 @@ TEST_CASE("what a behavior lacks is named with its place", "[extreme]") {
           std::vector<std::string>{
               "scene.toml:2:25: 2 obstacles have 1 radii; expected as many radii as centers"});
 }
+
+TEST_CASE("turns and motion are as the table says", "[unit]") {
+    const Read read("turn_curve = \"slow_in_slow_out\"\nturn_steps = 30\norient_every = 6\nmotion = \"rk4\"");
+    CHECK(read.faults().empty());
+    CHECK(read.conduct.turn_curve == TurnCurve::slow_in_slow_out);
+    CHECK(read.conduct.turn_steps == 30);
+    CHECK(read.conduct.orient_every == 6);
+    CHECK(read.conduct.motion == MotionMethod::rk4);
+    CHECK(Read("").conduct.turn_curve == TurnCurve::linear);
+    CHECK(Read("").conduct.orient_every == 1);
+    CHECK(Read("").conduct.motion == MotionMethod::euler);
+}

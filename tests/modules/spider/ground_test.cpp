@@ -26,7 +26,8 @@ TEST_CASE("a creature walks straight over a cube's edges and comes back, its hea
     const Land cube(mesh::cube(2, 3));
     Ground ground = standing(cube, {0.21, 0.13, 1}, {0, 0, 1}, {1, 0, 0}, 0.4);
     const Ground begin = ground;
-    for (int i = 0; i < 1200; ++i) CHECK(move(cube.surface(), 1.0 / 60, 0.01, ground) == MoveEnd::moved);
+    for (int i = 0; i < 1200; ++i)
+        CHECK(move(cube.surface(), 1.0 / 60, 0.01, ground.velocity, ground) == MoveEnd::moved);
     CHECK(distance(ground.footing.position, begin.footing.position) < 1e-12);
     CHECK(distance(ground.facing, begin.facing) < 1e-12);
     CHECK(norm(ground.velocity) == Approx(0.4).epsilon(1e-12));
@@ -36,7 +37,7 @@ TEST_CASE("a head that looks aside looks as far aside behind an edge", "[unit]")
     const Land cube(mesh::cube(2, 3));
     Ground ground = standing(cube, {0.9, 0.13, 1}, {0, 0, 1}, {1, 0, 0}, 0.4);
     ground.facing = {0.6, 0.8, 0};
-    move(cube.surface(), 0.5, 0.01, ground);  // 0.1 m to the edge, 0.1 m down the side
+    move(cube.surface(), 0.5, 0.01, ground.velocity, ground);  // 0.1 m to the edge, 0.1 m down the side
     CHECK(distance(ground.footing.position, {1, 0.13, 0.9}) < 1e-12);
     CHECK(distance(ground.facing, {0, 0.8, -0.6}) < 1e-12);
     CHECK(distance(ground.velocity, {0, 0, -0.4}) < 1e-12);
@@ -48,7 +49,7 @@ TEST_CASE("a border turns a creature back, and it is not lost", "[unit]") {
     Ground ground = standing(strip, {0, 1, 0}, {0, 1, 0}, {1, 0, 0.3}, 0.3);
     int turned = 0;
     for (std::uint64_t i = 0; i < 6000; ++i) {
-        const MoveEnd end = move(strip.surface(), 1.0 / 60, 0.01, ground);
+        const MoveEnd end = move(strip.surface(), 1.0 / 60, 0.01, ground.velocity, ground);
         REQUIRE(end != MoveEnd::lost);
         if (end == MoveEnd::turned) ++turned;
         const Vec3 aside = cross(ground.footing.up, ground.footing.forward);
@@ -115,7 +116,8 @@ TEST_CASE("the end of the surface is felt ahead, and the side that has more room
 TEST_CASE("a crate on a floor is climbed, and nobody goes to where there is no room", "[unit]") {
     const Land land(land::crates_on_a_floor());
     Ground ground = standing(land, {0.05, 0, 0.1}, {0, 1, 0}, {1, 0, 0}, 0.3);
-    for (int i = 0; i < 60; ++i) CHECK(move(land.surface(), 1.0 / 60, 0.01, ground) == MoveEnd::moved);
+    for (int i = 0; i < 60; ++i)
+        CHECK(move(land.surface(), 1.0 / 60, 0.01, ground.velocity, ground) == MoveEnd::moved);
     // 0.075 m of floor, 0.135 of wall, and 0.09 of the crate's top.
     CHECK(distance(ground.footing.position, {0.215, 0.135, 0.1}) <
           1e-6);  // shells are felt a ten-millionth off
@@ -124,7 +126,7 @@ TEST_CASE("a crate on a floor is climbed, and nobody goes to where there is no r
     Ground below = standing(shelf, {0, 0.5, 0.3}, {0, 1, 0}, {0, 0, -1}, 0.1);
     int turned = 0;
     for (int i = 0; i < 240; ++i)
-        if (move(shelf.surface(), 1.0 / 60, 0.12, below) == MoveEnd::turned) ++turned;
+        if (move(shelf.surface(), 1.0 / 60, 0.12, below.velocity, below) == MoveEnd::turned) ++turned;
     CHECK(turned > 0);
     CHECK(below.footing.position.z > 0.15);  // it hangs 0.1 m above the cube
 }
