@@ -44,7 +44,8 @@ void BakedWriter::write(const std::string& path) const {
     header.source_hash_high = source_.high;
     header.source_hash_low = source_.low;
     std::memcpy(file.data(), &header, sizeof header);
-    std::memcpy(file.data() + sizeof header, entries.data(), entries.size() * sizeof(SectionEntry));
+    const auto table = std::as_bytes(std::span(entries));
+    std::copy(table.begin(), table.end(), file.begin() + sizeof header);
     for (std::size_t i = 0; i < entries.size(); ++i)
         std::copy(sections_[i].bytes.begin(), sections_[i].bytes.end(),
                   file.begin() + static_cast<std::ptrdiff_t>(entries[i].offset));
