@@ -1,10 +1,7 @@
 #include "target_cache.hpp"
 
-#include <filesystem>
-
-#include "baked/cache_folder.hpp"
+#include "baked/cached_file.hpp"
 #include "baked/content_hash.hpp"
-#include "orbweaver/fault.hpp"
 #include "target_file.hpp"
 
 namespace orbweaver::inscription {
@@ -27,44 +24,23 @@ std::string name_of(const TargetRecipe& recipe) {
     return recipe.text ? "the text '" + *recipe.text + "'" : "a target of random gaps";
 }
 
-bool exists(const std::string& path) {
-    std::error_code ignored;
-    return std::filesystem::exists(path, ignored);
+/// What was baked by this recipe, if it is there. Throws DamagedCache where it cannot be used.
+std::optional<BakedFile> sound_cached(const TargetRecipe& recipe) {
+    return open_cached(cached_path(recipe), kTargetType, kTargetVersion, name_of(recipe));
 }
-
-BakedFile open(const std::string& path) { return {path, kTargetType, kTargetVersion}; }
 
 }  // namespace
 
-std::string cached_path(const TargetRecipe& recipe) {
-    return cache_folder() + "/" + to_string(key_of(recipe)) + ".baked";
-}
+std::string cached_path(const TargetRecipe& recipe) { return orbweaver::cached_path(key_of(recipe)); }
 
 std::optional<BakedFile> find_cached(const TargetRecipe& recipe) {
-    const std::string path = cached_path(recipe);
-    if (!exists(path)) return std::nullopt;
-    try {
-        return open(path);
-    } catch (const Fault&) {
-        return std::nullopt;  // damaged: as good as absent, since it can be made again
-    }
+    return if_sound([&] { return sound_cached(recipe); });
 }
 
 BakedFile open_target(const TargetRecipe& recipe) {
-    if (recipe.picture && is_baked_file(*recipe.picture)) return open(*recipe.picture);
-    const std::string path = cached_path(recipe);
-    if (!exists(path))
-        throw Fault(FaultKind::invalid,
-                    name_of(recipe) +
-                        ": is not baked yet; run orbweaver-assets bake with this scene, or bake it "
-                        "with orbweaver-assets target and name the baked file");
-    try {
-        return open(path);
-    } catch (const Fault& fault) {
-        throw Fault(FaultKind::invalid,
-                    name_of(recipe) + ": was baked, but what is kept of it cannot be used (" + fault.what() +
-                        "); orbweaver-assets bake, with this scene, makes it anew in the cache");
-    }
+    if (recipe.picture && is_baked_file(*recipe.picture)) return {*recipe.picture, kTargetType, kTargetVersion};
+    if (auto file = sound_cached(recipe)) return std::move(*file);
+    refuse_unbaked(name_of(recipe), "target");
 }
 
 }  // namespace orbweaver::inscription

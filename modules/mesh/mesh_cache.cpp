@@ -2,10 +2,9 @@
 
 #include <filesystem>
 
-#include "baked/cache_folder.hpp"
+#include "baked/cached_file.hpp"
 #include "baked/content_hash.hpp"
 #include "mesh_file.hpp"
-#include "orbweaver/fault.hpp"
 
 namespace orbweaver::mesh {
 
@@ -48,27 +47,10 @@ bool companions_are_as_they_were(const BakedFile& file, const std::string& sourc
     return true;
 }
 
-/// What was baked from a source is there, and is of no use.
-class DamagedCache : public Fault {
-public:
-    DamagedCache(const std::string& source, const std::string& why)
-        : Fault(FaultKind::invalid,
-                source + ": was baked, but " + why +
-                    "; orbweaver-assets bake, with this scene, makes it anew in the cache") {}
-};
-
 /// What was baked from this source, if it is there. Throws DamagedCache where it cannot be used.
 std::optional<BakedFile> sound_cached(const std::string& source, const Recipe& recipe) {
-    const std::string path = cached_path(source, recipe);
-    std::error_code ignored;
-    if (!fs::exists(path, ignored)) return std::nullopt;
-    std::optional<BakedFile> file;
-    try {
-        file.emplace(path, kMeshType, kMeshVersion);
-    } catch (const Fault& fault) {
-        throw DamagedCache(source, "what is kept of it cannot be used (" + std::string(fault.what()) + ")");
-    }
-    if (!companions_are_as_they_were(*file, source))
+    auto file = open_cached(cached_path(source, recipe), kMeshType, kMeshVersion, source);
+    if (file && !companions_are_as_they_were(*file, source))
         throw DamagedCache(source, "a file that belongs to it has changed since");
     return file;
 }
@@ -86,24 +68,17 @@ std::vector<char> to_section(std::span<const Companion> companions) {
 }
 
 std::string cached_path(const std::string& source, const Recipe& recipe) {
-    return cache_folder() + "/" + to_string(key_of(source, recipe)) + ".baked";
+    return orbweaver::cached_path(key_of(source, recipe));
 }
 
 std::optional<BakedFile> find_cached(const std::string& source, const Recipe& recipe) {
-    try {
-        return sound_cached(source, recipe);
-    } catch (const DamagedCache&) {
-        return std::nullopt;  // as good as absent, since it can be made again
-    }
+    return if_sound([&] { return sound_cached(source, recipe); });
 }
 
 BakedFile open_mesh(const std::string& path) {
     if (is_baked_file(path)) return {path, kMeshType, kMeshVersion};
     if (auto file = sound_cached(path, {})) return std::move(*file);
-    throw Fault(FaultKind::invalid,
-                path +
-                    ": is not baked yet; run orbweaver-assets bake with this scene, or bake it with "
-                    "orbweaver-assets adjacency and name the baked file");
+    refuse_unbaked(path, "adjacency");
 }
 
 }  // namespace orbweaver::mesh
