@@ -126,9 +126,7 @@ WaysResult study_queries(const StudySettings& settings, const std::string& scene
                     kReading,
                     false};
     result.scene = scene;
-    result.facts = {{"triangles", static_cast<double>(surface.faces().size())},
-                    {"size_m", surface.size()},
-                    {"seed", static_cast<double>(seed)}};
+    result.facts = {{"triangles", surface.faces().size()}, {"size_m", surface.size()}, {"seed", seed}};
     QueryContest contest(surface, seed, offers);
     study_ways(settings, contest, deadline, result);
     for (const Named& set : result.tasks)

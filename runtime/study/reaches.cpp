@@ -145,7 +145,7 @@ WaysResult study_reaches(const StudySettings& settings, const std::string& scene
                     kReading,
                     true};
     result.scene = scene;
-    result.facts = {{"limbs", static_cast<double>(ways.limbs())}};
+    result.facts = {{"limbs", ways.limbs()}};
     ReachContest contest(ways);
     study_ways(settings, contest, deadline, result);
     for (std::size_t set = 0; set < result.tasks.size(); set += ladders().size())  // those by tolerance

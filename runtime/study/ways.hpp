@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "study/study_settings.hpp"
@@ -40,12 +42,15 @@ struct WaysWords {
     bool has_settings = false;
 };
 
+/// Of what was asked: ("triangles", 108); a count stays exact.
+using Fact = std::pair<std::string, std::variant<std::uint64_t, double>>;
+
 /// What a study of ways found.
 struct WaysResult {
     WaysWords words;
     std::string scene;
-    std::vector<std::pair<std::string, double>> facts;  ///< of what was asked: ("triangles", 108)
-    std::vector<Named> tasks;                           ///< kinds of tasks
+    std::vector<Fact> facts;
+    std::vector<Named> tasks;  ///< kinds of tasks
     std::vector<Named> ways;
     std::vector<WayRow> rows;
     std::vector<std::string> sentences;  ///< what it comes to

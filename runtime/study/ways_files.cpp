@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "study/study_files.hpp"
@@ -67,12 +66,6 @@ Json named(const std::vector<Named>& all) {
     return json;
 }
 
-Json number(double value) {
-    constexpr double kExact = 0x1p53;
-    return std::abs(value) < kExact && value == std::floor(value) ? Json(static_cast<std::int64_t>(value))
-                                                                  : Json(value);
-}
-
 std::string unit_suffix(const WaysResult& result) {
     return result.words.unit.empty() ? "" : "_" + result.words.unit;
 }
@@ -116,7 +109,8 @@ std::string ways_csv(const WaysResult& result) {
 
 std::string ways_json(const WaysResult& result) {
     Json json = {{"scene", result.scene}};
-    for (const auto& [name, value] : result.facts) json[name] = number(value);
+    for (const auto& [name, value] : result.facts)
+        std::visit([&, &key = name](auto figure) { json[key] = figure; }, value);
     json[result.words.tasks] = named(result.tasks);
     json["ways"] = named(result.ways);
     json["rows"] = Json::array();

@@ -49,8 +49,7 @@ struct Asked {
 TEST_CASE("every way is asked what it answers, and errors are as small as doubles are", "[scene]") {
     Asked asked;
     const WaysResult result = asked.study({&asked.cube.ways});
-    using Fact = std::pair<std::string, double>;
-    CHECK(result.facts == std::vector<Fact>{{"triangles", 108}, {"size_m", 2}, {"seed", 7}});
+    CHECK(result.facts == std::vector<Fact>{{"triangles", 108U}, {"size_m", 2.0}, {"seed", 7U}});
     CHECK(result.rows.size() == 3 * 2 + 4 + 2);
     for (const WayRow& row : result.rows) {
         CAPTURE(row.tasks, row.way);

@@ -1,6 +1,7 @@
 #include "study/ways_files.hpp"
 
 #include <catch2/catch.hpp>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 using namespace orbweaver;
@@ -20,7 +21,7 @@ WaysResult sample() {
                     "queries of its surface, 12 triangles",
                     "lower <left> is better",
                     false};
-    result.facts = {{"triangles", 12}, {"size_m", 2.5}, {"seed", 7}};
+    result.facts = {{"triangles", 12U}, {"size_m", 2.5}, {"seed", UINT64_MAX}};
     result.tasks = {{"edges", "rays at edges"}};
     result.ways = {{"wide_tree", "a ray through the wide tree"}, {"guess", "a <guess>"}};
     result.rows = {{"edges", "wide_tree", "", 100, 0, 0, 0, 0, 5e-7},
@@ -43,7 +44,7 @@ TEST_CASE("the JSON of queries says what was asked, how, and what it came to", "
     CHECK(json["scene"] == "a <rock>");
     CHECK(json["triangles"] == 12);
     CHECK(json["size_m"] == 2.5);
-    CHECK(json["seed"] == 7);
+    CHECK(json["seed"] == UINT64_MAX);
     CHECK(json["questions"][0]["name"] == "edges");
     CHECK(json["ways"][1]["meaning"] == "a <guess>");
     CHECK(json["rows"][1]["missed"] == 3);
