@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "baked/baked_type.hpp"
 #include "mesh_file.hpp"
 #include "mesh_report.hpp"
@@ -37,6 +39,8 @@ int InspectCommand::run() const { return is_target(file_) ? inspect_target() : i
 int InspectCommand::inspect_target() const {
     const BakedFile file = open_target(file_);
     if (!png_.empty()) {
+        if (std::error_code ignored; std::filesystem::equivalent(file_, png_, ignored))
+            throw CLI::ValidationError("--png", png_ + " is what is to be drawn; name another file to write");
         const auto png = target_png(file);
         AtomicFile out(png_);
         out.write(png.data(), png.size());

@@ -39,3 +39,15 @@ TEST_CASE("a mesh is not drawn", "[unit]") {
     CHECK(outcome.err.starts_with("--png: " + mesh + " holds a mesh; expected a target, which can be drawn"));
     CHECK(run_assets({"inspect", mesh}).code == 0);
 }
+
+TEST_CASE("a target is not drawn over itself", "[unit]") {
+    const test::Folder folder;
+    const std::string baked = folder.path("t.baked");
+    REQUIRE(run_assets({"target", "--gaps", "0.1", "-o", baked, "--size", "64"}).code == 0);
+    const std::string before = test::read_file(baked);
+    const auto outcome = run_assets({"inspect", baked, "--png", folder.path("./t.baked")});
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err.starts_with("--png: " + folder.path("./t.baked") +
+                                  " is what is to be drawn; name another"));
+    CHECK(test::read_file(baked) == before);
+}
