@@ -134,24 +134,28 @@ private:
     /// A thread of that length (m), of the silk of thread `like` and as taut, `width` times as thick.
     void lay(Index a, Index b, std::size_t like, double length, double width) {
         const Piece& piece = plain_.layout.pieces[like];
-        const mass_spring::Spring& spring = plain_.network.springs[like];
-        const double strain = length_of(plain_, like) / spring.rest_length - 1;
-        mass_spring::Spring laid = spring;
+        mass_spring::Spring laid = plain_.network.springs[like];
         laid.a = a;
         laid.b = b;
-        laid.rest_length = spring.rest_length > 0 ? length / (1 + strain / width) : 0;
-        // A spring without rest length bears T = k l; of others EA = k r is the silk's.
-        const double shorter = spring.rest_length > 0 ? spring.rest_length / laid.rest_length
-                                                      : length_of(plain_, like) / (length * width);
-        const double stiffer = width * shorter;
-        laid.stiffness *= stiffer;
-        laid.damping *= stiffer;
-        laid.law.arm *= stiffer;
-        laid.law.softening *= shorter;
-        laid.law.stiffening *= shorter * shorter;
+        if (laid.rest_length > 0) {
+            const double strain = length_of(plain_, like) / laid.rest_length - 1;
+            const double rest_length = length / (1 + strain / width), shorter = laid.rest_length / rest_length;
+            laid.rest_length = rest_length;
+            stiffen(laid, width * shorter);  // EA = k r is the silk's
+            laid.law.softening *= shorter;
+            laid.law.stiffening *= shorter * shorter;
+        } else {
+            stiffen(laid, length_of(plain_, like) / length);  // T = k l
+        }
         web_.network.springs.push_back(laid);
         web_.layout.pieces.push_back({a, b, piece.kind, piece.width * width});
         weigh_silk(a, b, length * piece.width * width, 1);
+    }
+
+    static void stiffen(mass_spring::Spring& spring, double times) {
+        spring.stiffness *= times;
+        spring.damping *= times;
+        spring.law.arm *= times;
     }
 
     void weigh_thread(std::size_t i, double sign) {

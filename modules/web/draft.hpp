@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <vector>
 
 #include "mass_spring/linear_solver.hpp"
@@ -33,7 +31,7 @@ public:
 
     const WebAtRest& plain() const noexcept override { return plain_.seen; }
     const WebAtRest& changed(const WebChange& change) override;
-    /// The web of the last change().
+    /// The web of the last call of changed().
     Web& web() noexcept { return changed_.web; }
 
 private:
