@@ -82,10 +82,10 @@ std::vector<std::uint32_t> corner_codes(const Surface& surface) {
     return codes;
 }
 
-SurfacePass::SurfacePass(const Gl& gl, const Surface& surface, const SurfaceLook& look, const CubeSky& sky)
+SurfacePass::SurfacePass(const Gl& gl, const Surface& surface, const SurfaceLook& look, const SkyLight& light)
     : gl_(gl),
       look_(look),
-      light_(sky_light(sky)),
+      light_(light),
       program_(make_program(gl, "surface", kVertex, kFragment)),
       vertices_(gl, ObjectKind::vertex_array),
       corner_buffer_(gl, ObjectKind::buffer),

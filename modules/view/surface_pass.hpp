@@ -26,7 +26,7 @@ std::vector<std::uint32_t> corner_codes(const Surface& surface);
 class SurfacePass {
 public:
     /// Reads `surface` for as long as it lives.
-    SurfacePass(const Gl& gl, const Surface& surface, const SurfaceLook& look, const CubeSky& sky);
+    SurfacePass(const Gl& gl, const Surface& surface, const SurfaceLook& look, const SkyLight& light);
     /// Draws on the bound framebuffer, which must hold sRGB with conversion enabled, and depths.
     void draw(const Camera& camera, int width, int height) const;
     std::size_t memory_bytes() const noexcept { return memory_bytes_; }

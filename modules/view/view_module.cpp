@@ -114,11 +114,14 @@ void View::open_canvas(const Host& host) {
 void View::make_passes(Host& host) {
     const CubeSky sky = load_sky(host);
     sky_.emplace(gl_, sky);
-    if (const Surface* surface = host.find<Surface>())
-        surface_.emplace(gl_, *surface, asked_surface_look(host.options()), sky);
+    const Surface* surface = host.find<Surface>();
     const auto skins = host.collect<Skins>();
-    const KeyLight key = skins.empty() ? KeyLight{} : key_light(sky);
-    for (Skins* each : skins) skins_.push_back(std::make_unique<SkinView>(gl_, *each, sky_light(sky), key));
+    if (surface != nullptr || !skins.empty()) {
+        const SkyLight light = sky_light(sky);
+        if (surface != nullptr) surface_.emplace(gl_, *surface, asked_surface_look(host.options()), light);
+        const KeyLight key = skins.empty() ? KeyLight{} : key_light(sky);
+        for (Skins* each : skins) skins_.push_back(std::make_unique<SkinView>(gl_, *each, light, key));
+    }
     for (const Threads* threads : host.collect<Threads>())
         threads_.push_back(std::make_unique<ThreadPass>(gl_, *threads, asked_look(host.options())));
     for (Sketch* sketch : host.collect<Sketch>())

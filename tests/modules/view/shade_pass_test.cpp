@@ -39,7 +39,7 @@ public:
         camera.target.y += 18;
         ground_.bind();
         ground_.clear_depths();
-        SurfacePass(canvas_.gl, cube, {{1, 1, 1}, 0}, sky).draw(camera, kSize, kSize);
+        SurfacePass(canvas_.gl, cube, {{1, 1, 1}, 0}, sky_light(sky)).draw(camera, kSize, kSize);
         ground_.copy_to(picture_.framebuffer(), kSize, kSize);
         ground_.copy_depths_to(picture_);
         picture_.bind();

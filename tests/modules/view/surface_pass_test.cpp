@@ -47,7 +47,7 @@ public:
         CubeSky night = lights;
         for (auto& face : night.faces) std::fill(face.begin(), face.end(), 0.0F);
         const SkyPass sky(canvas_.gl, night);
-        const SurfacePass pass(canvas_.gl, surface, {{1, 1, 1}, 0}, lights);
+        const SurfacePass pass(canvas_.gl, surface, {{1, 1, 1}, 0}, sky_light(lights));
         target_.bind();
         target_.clear_depths();
         sky.draw(camera, 1);
