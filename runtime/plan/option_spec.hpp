@@ -39,8 +39,8 @@ struct OptionSpec {
     std::size_t length = 0;  ///< of numbers; 0: any
     std::vector<std::string> choices;
     std::string folder;  ///< of a preset or a named file, below assets/
-    std::string asset;   ///< what is baked from it: "mesh" from a file, "target" from all options that
-                         ///< inscription::target_recipe() reads; empty: it is used as it is
+    std::string asset;   ///< what is baked from it: "mesh" from a file, "target" from all such options
+                         ///< of a module together; empty: it is used as it is
     std::string meaning;
     std::string plan;  ///< what a plan adds to its module where the scene gives this option; empty: nothing
 };

@@ -12,9 +12,10 @@ namespace orbweaver {
 
 /// A web at rest, as whoever writes in it sees it.
 struct WebAtRest {
-    std::span<const Vec3> points;             ///< m
-    std::span<const ThreadSegment> segments;  ///< of those of a plain web come first, in its order, those kept
-    std::span<const double> tension;          ///< N, of each segment; below 0: slack
+    std::span<const Vec3> points;  ///< m
+    std::span<const ThreadSegment>
+        segments;                     ///< those of the plain web that are kept, in its order; then others
+    std::span<const double> tension;  ///< N, of each segment; below 0: slack
     std::span<const std::string_view> kinds;  ///< "radius", "spiral", ...
     Vec3 center;                              ///< m, of the hub
     Vec3 right, up;                           ///< unit, in the web's plane, as a viewer sees it
