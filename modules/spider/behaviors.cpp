@@ -35,7 +35,7 @@ Vec3 combined(const Behaviors& b, const Agent& agent, const SurfacePoint& at, co
     if (is_hunted(b, agent, company)) want(b.evade, [&] { return evade(agent, *company.hunter, kHorizon); });
     want(b.follow_path, [&] { return follow_path(agent, b.path, b.loop, b.path_ahead); });
     want(b.avoid_obstacles, [&] { return avoid_obstacles(agent, b.obstacles, kObstacleAhead); });
-    want(b.keep_apart, [&] { return keep_apart(agent, company.near, company.keep_apart); });
+    want(b.keep_apart, [&] { return keep_apart(agent, company.near, b.apart); });
     return blend(agent, std::span(wishes).first(count));
 }
 

@@ -47,7 +47,6 @@ std::size_t memory_bytes(const Behaviors& behaviors) noexcept;
 struct Company {
     const RandomStream& random;  ///< its own
     std::span<const Vec3> near;  ///< m, where others are
-    double keep_apart = 0;       ///< m, from them
     std::optional<Agent> quarry = std::nullopt, hunter = std::nullopt;
     std::optional<Command> command = std::nullopt;  ///< by hand: overrides what it wants
     bool orients = true;                            ///< looks in this frame for the up that it wants

@@ -8,6 +8,7 @@ namespace orbweaver::spider {
 struct BodyPose {
     Vec3 position;            ///< m
     Vec3 forward, up, right;  ///< unit
+    double bend = 0;          ///< rad, of the abdomen, up is positive
 };
 
 /// From the body's frame, m.

@@ -92,6 +92,7 @@ BodyShape shape_of(const Body& body) {
     const std::array<Vec3, 3> middles{
         {{0, 0, 0}, {front + body.head.x / 2, 0, 0}, {-front - body.abdomen.x / 2, 0, 0}}};
     BodyShape shape;
+    shape.hinge = -front;
     double total = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         shape.parts[i] = ellipsoid_of_balls(middles[i], extents[i]);
@@ -101,6 +102,11 @@ BodyShape shape_of(const Body& body) {
     }
     shape.center_of_mass *= 1 / total;
     return shape;
+}
+
+Vec3 bent(const BodyShape& shape, const Rotor<double>& bend, const Vec3& point) noexcept {
+    const double x = point.x - shape.hinge;
+    return {shape.hinge + bend.c * x + bend.s * point.y, bend.c * point.y - bend.s * x, point.z};
 }
 
 double depth_of(const BodyShape& shape) noexcept {

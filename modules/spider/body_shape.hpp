@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "orbweaver/vec3.hpp"
+#include "rotor.hpp"
 
 namespace orbweaver::spider {
 
@@ -28,9 +29,13 @@ BodyPart ellipsoid_of_balls(const Vec3& middle, const Vec3& extents);
 /// How much room a body takes, and where its weight is: constants of a species.
 struct BodyShape {
     std::array<BodyPart, 3> parts;  ///< thorax, head, abdomen
+    double hinge = 0;               ///< m, body frame, along x: where the abdomen bends
     Vec3 center_of_mass;            ///< m, body frame; of the three, equally dense; legs are left out
 };
 BodyShape shape_of(const Body& body);
+
+/// m, body frame: where a point of the unbent abdomen is when it is bent.
+Vec3 bent(const BodyShape& shape, const Rotor<double>& bend, const Vec3& point) noexcept;
 
 /// m, how far it reaches below the thorax's middle.
 double depth_of(const BodyShape& shape) noexcept;

@@ -43,23 +43,34 @@ Vec3 clear_of_borders(const Ground& ground, const Feel& feel, double reach, cons
            (feel.room_left >= feel.room_right ? left : -1 * left);
 }
 
-Vec3 wish(const Surface& surface, const Conduct& conduct, const Company& company, const Agent& agent,
-          const Feel& feel, double reach, double dt, CreatureState& state,
-          CreatureMeasures& measures) noexcept {
-    const Behaviors& wants = conduct.behaviors;
-    const double speed = norm(state.ground.velocity);
-    const Vec3 ahead = speed > 0 ? state.ground.velocity / speed : state.ground.facing;
+/// One frame of a creature, and what it feels at its beginning.
+struct Moment {
+    const Surface& surface;
+    const Conduct& conduct;
+    const Company& company;
+    double dt;  ///< s
+    CreatureState& state;
+    CreatureMeasures& measures;
+    double reach;  ///< m, of what it feels
+    Feel feel;
+};
+
+Vec3 wish(const Moment& now, const Agent& agent) noexcept {
+    const Behaviors& wants = now.conduct.behaviors;
+    const Ground& ground = now.state.ground;
+    const double speed = norm(ground.velocity);
+    const Vec3 ahead = speed > 0 ? ground.velocity / speed : ground.facing;
     Vec3 wandering, along_wall;
     if (wants.wander > 0)
-        wandering = clear_of_borders(state.ground, feel, reach,
-                                     wander(agent, ahead, conduct.wander, company.random, dt, state.wander));
+        wandering = clear_of_borders(
+            ground, now.feel, now.reach,
+            wander(agent, ahead, now.conduct.wander, now.company.random, now.dt, now.state.wander));
     if (wants.follow_wall > 0)
-        along_wall =
-            follow_wall(surface, state.ground, agent, reach, wants.walls, company.random, dt, state.wall);
-    const Footing& footing = state.ground.footing;
-    const Vec3 wanted = combined(wants, agent, footing.at, company, wandering, along_wall);
-    const Vec3 open = open_way(surface, footing, wanted, kForesight, conduct.gravity);
-    if (!(open == wanted)) ++measures.turned_aside;
+        along_wall = follow_wall(now.surface, ground, agent, now.reach, wants.walls, now.company.random, now.dt,
+                                 now.state.wall);
+    const Vec3 wanted = combined(wants, agent, ground.footing.at, now.company, wandering, along_wall);
+    const Vec3 open = open_way(now.surface, ground.footing, wanted, kForesight, now.conduct.gravity);
+    if (!(open == wanted)) ++now.measures.turned_aside;
     return open;
 }
 
@@ -89,54 +100,55 @@ Vec3 ahead_of_head(const Ground& ground, double creep, const Vec3& wanted) noexc
 }
 
 /// Turns the head as it is told; where it is to go, m/s: not over a border or onto what no foot holds on.
-Vec3 obey(const Surface& surface, const Conduct& conduct, const Command& command, double careful, double dt,
-          Ground& ground, CreatureMeasures& measures) noexcept {
-    const double degrees = dt * std::clamp(command.turn, -conduct.turn_rate, conduct.turn_rate);
+Vec3 obey(const Moment& now, const Command& command, double careful) noexcept {
+    Ground& ground = now.state.ground;
+    const double degrees = now.dt * std::clamp(command.turn, -now.conduct.turn_rate, now.conduct.turn_rate);
     const Vec3 left = cross(ground.footing.up, ground.facing);
     ground.facing = cos_degrees(degrees) * ground.facing + sin_degrees(degrees) * left;
     const Vec3 way = command.speed < 0 ? -1 * ground.facing : ground.facing;
     const double sight = std::abs(command.speed) * kForesight;
-    if (sight == 0 || is_open(surface, ground.footing, way, sight, conduct.gravity))
+    if (sight == 0 || is_open(now.surface, ground.footing, way, sight, now.conduct.gravity))
         return careful * command.speed * ground.facing;
-    ++measures.turned_aside;
+    ++now.measures.turned_aside;
     return {};
 }
 
 /// Gives it another velocity; m/s, by which it is to move.
-Vec3 steer(const Surface& surface, const Conduct& conduct, const Company& company, const Feel& feel,
-           double reach, double dt, CreatureState& state, CreatureMeasures& measures) noexcept {
-    const double careful = std::min({caution(feel.corner_degrees, feel.corner_distance, reach, conduct.slowest),
-                                     alignment(state, feel.up), patience(state)});
+Vec3 steer(const Moment& now) noexcept {
+    const Conduct& conduct = now.conduct;
+    CreatureState& state = now.state;
+    const double careful =
+        std::min({caution(now.feel.corner_degrees, now.feel.corner_distance, now.reach, conduct.slowest),
+                  alignment(state, now.feel.up), patience(state)});
     Agent agent{state.ground.footing.position, state.ground.velocity, state.ground.footing.up,
                 conduct.pace.top_speed * careful};
     Vec3 wanted;
-    if (company.command) {
-        wanted = obey(surface, conduct, *company.command, careful, dt, state.ground, measures);
+    if (now.company.command) {
+        wanted = obey(now, *now.company.command, careful);
     } else {
-        if (conduct.rests) advance_pauses(conduct.pauses, company.random, dt, state.pause);
-        if (!state.pause.stands || is_hunted(conduct.behaviors, agent, company))
-            wanted = away_from_gaps(conduct, state,
-                                    wish(surface, conduct, company, agent, feel, reach, dt, state, measures));
+        if (conduct.rests) advance_pauses(conduct.pauses, now.company.random, now.dt, state.pause);
+        if (!state.pause.stands || is_hunted(conduct.behaviors, agent, now.company))
+            wanted = away_from_gaps(conduct, state, wish(now, agent));
         wanted = ahead_of_head(state.ground, kCreep * conduct.pace.top_speed, wanted);
     }
     agent.top_speed = conduct.pace.top_speed;
-    const Motion motion = moved(conduct.motion, agent, wanted, conduct.response, conduct.strength, dt);
+    const Motion motion = moved(conduct.motion, agent, wanted, conduct.response, conduct.strength, now.dt);
     state.ground.velocity = motion.velocity;
     return motion.way;
 }
 
 /// Moves, but not onto what no foot holds on: there it turns back as at a border.
-void move_where_it_holds(const Surface& surface, const Conduct& conduct, double dt, const Vec3& way,
-                         Ground& ground, CreatureMeasures& measures) noexcept {
+void move_where_it_holds(const Moment& now, const Vec3& way) noexcept {
+    Ground& ground = now.state.ground;
     Ground moved = ground;
-    const MoveEnd end = move(surface, dt, 1.3 * conduct.species->carriage, way, moved);
-    if (end == MoveEnd::lost) ++measures.lost_frames;
-    if (holds(surface.grip(moved.footing.at.face), moved.footing.up, conduct.gravity)) {
+    const MoveEnd end = move(now.surface, now.dt, 1.3 * now.conduct.species->carriage, way, moved);
+    if (end == MoveEnd::lost) ++now.measures.lost_frames;
+    if (holds(now.surface.grip(moved.footing.at.face), moved.footing.up, now.conduct.gravity)) {
         ground = moved;
         return;
     }
     ground.velocity = -1 * ground.velocity;
-    ++measures.turned_aside;
+    ++now.measures.turned_aside;
 }
 
 /// Up and forward in dt s, both together by no more than the creature's rate: they turn about axes at right
@@ -215,7 +227,7 @@ struct Before {
 BodyPose pose_of(const Conduct& conduct, const CreatureState& state) noexcept {
     const Vec3& up = state.turn.up;
     return {state.ground.footing.position + conduct.species->carriage * up + state.shift, state.forward, up,
-            cross(state.forward, up)};
+            cross(state.forward, up), state.bend};
 }
 
 void place_creature(const Surface& surface, const Conduct& conduct, const Footing& footing,
@@ -239,15 +251,20 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
                       CreatureState& state, CreatureMeasures& measures) noexcept {
     const Species& species = *conduct.species;
     const Before before(conduct, state);
-    const double reach = feel_reach(species);
-    const Feel feel = feel_ground(surface, species, state.ground);
-    const Vec3 way = steer(surface, conduct, company, feel, reach, dt, state, measures);
-    move_where_it_holds(surface, conduct, dt, way, state.ground, measures);
+    const Moment now{surface,
+                     conduct,
+                     company,
+                     dt,
+                     state,
+                     measures,
+                     feel_reach(species),
+                     feel_ground(surface, species, state.ground)};
+    move_where_it_holds(now, steer(now));
     if (!company.command) face_ahead(conduct.turn_rate * dt, state.ground);
-    turn_body(conduct, company.orients ? feel.up : state.turn.to, dt, state);
+    turn_body(conduct, company.orients ? now.feel.up : state.turn.to, dt, state);
+    bend_back(conduct, dt, state);
     const double below = hold_body(surface, conduct, dt, state);
     step_feet(surface, conduct, dt, state, measures);
-    bend_back(conduct, dt, state);
     ++measures.frames;
     const Support support = support_of(conduct, state);
     state.sway = sway_of(conduct, support, state, dt);

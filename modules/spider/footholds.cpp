@@ -1,5 +1,7 @@
 #include "footholds.hpp"
 
+#include "ground.hpp"
+
 #include "orbweaver/exact_math.hpp"
 
 namespace orbweaver::spider {
@@ -23,9 +25,7 @@ Foothold along_surface(const Surface& surface, const Footing& ground, const Vec3
     const Vec3 way = across(wanted - ground.position, ground.up);
     const double length = norm(way);
     if (length == 0) return {true, ground.at, ground.position, ground.up, false};
-    Footing from = ground;
-    from.forward = way / length;
-    const SurfaceStep step = surface.stride(from, length, {}).step;
+    const SurfaceStep step = stride_along(surface, ground, way / length, length).step;
     // Where the surface ends on the way, its rim is a place too.
     if (step.answer != Answer::found || step.stop == StepStop::limit) return {};
     return {true, step.end.at, step.end.position, step.end.up, step.stop == StepStop::border};

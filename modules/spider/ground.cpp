@@ -21,11 +21,9 @@ Vec3 unit_or(const Vec3& v, const Vec3& otherwise) noexcept {
 }
 
 /// Where a stride in that direction ends; the ground itself where there is no answer.
-SurfaceStride stride_from(const Surface& surface, const Ground& ground, const Vec3& way, double reach,
-                          std::span<StrideCorner> corners) noexcept {
-    Footing from = ground.footing;
-    from.forward = way;
-    SurfaceStride stride = surface.stride(from, reach, corners);
+SurfaceStride feel_along(const Surface& surface, const Ground& ground, const Vec3& way, double reach,
+                         std::span<StrideCorner> corners) noexcept {
+    SurfaceStride stride = stride_along(surface, ground.footing, way, reach, corners);
     if (stride.step.answer != Answer::found) stride.step.end = ground.footing;
     return stride;
 }
@@ -55,6 +53,12 @@ bool is_too_low(const Surface& surface, const Footing& there, double headroom) n
 }
 
 }  // namespace
+
+SurfaceStride stride_along(const Surface& surface, Footing ground, const Vec3& way, double length,
+                           std::span<StrideCorner> corners) noexcept {
+    ground.forward = way;
+    return surface.stride(ground, length, corners);
+}
 
 MoveEnd move(const Surface& surface, double dt, double headroom, Vec3 way, Ground& ground) noexcept {
     const double speed = norm(way);
@@ -86,8 +90,8 @@ void face_ahead(double most_degrees, Ground& ground) noexcept {
 
 Feel feel_ahead(const Surface& surface, const Ground& ground, double reach, double headroom) noexcept {
     std::array<StrideCorner, 4> corners;
-    const SurfaceStride ahead = stride_from(surface, ground, ground.facing, reach, corners);
-    const SurfaceStride behind = stride_from(surface, ground, -1 * ground.facing, reach, {});
+    const SurfaceStride ahead = feel_along(surface, ground, ground.facing, reach, corners);
+    const SurfaceStride behind = feel_along(surface, ground, -1 * ground.facing, reach, {});
     const Vec3& here = ground.footing.up;
     Feel feel;
     feel.up = unit_or(ahead.step.end.up + here + behind.step.end.up, here);
@@ -96,8 +100,8 @@ Feel feel_ahead(const Surface& surface, const Ground& ground, double reach, doub
     if (ends || !has_headroom(surface, ahead.step.end, headroom)) {
         const Vec3 left = cross(here, ground.facing);
         feel.border_distance = ends ? ahead.step.walked : reach / 2;
-        feel.room_left = stride_from(surface, ground, ground.facing + left, reach, {}).step.walked;
-        feel.room_right = stride_from(surface, ground, ground.facing - left, reach, {}).step.walked;
+        feel.room_left = feel_along(surface, ground, ground.facing + left, reach, {}).step.walked;
+        feel.room_right = feel_along(surface, ground, ground.facing - left, reach, {}).step.walked;
     }
     if (ahead.corners == 0) return feel;
     const StrideCorner& first = corners[0];

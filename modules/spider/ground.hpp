@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "orbweaver/contracts/surface.hpp"
 
 namespace orbweaver::spider {
@@ -17,6 +19,11 @@ enum class MoveEnd : std::uint8_t {
     turned,  ///< at a border: it stands there or before it, and its velocity leads back
     lost,    ///< the surface had no answer: it stays where it was
 };
+
+/// From `ground` `length` m along `way` (unit, across its up), and on to other shells; tells of the corners
+/// met.
+SurfaceStride stride_along(const Surface& surface, Footing ground, const Vec3& way, double length,
+                           std::span<StrideCorner> corners = {}) noexcept;
 
 /// Along the surface by `way` (m/s, across up) * dt, straight on over edges and vertices, and on to other
 /// shells that stand in the way; velocity and facing turn with the surface. Who has `headroom` m above it does

@@ -54,7 +54,12 @@ public:
         deepest_ = {};
         root_ = to_world(pose, shape_.parts[0].around.center);
         if (!root_is_free()) return deepest_;
-        for (const BodyPart& part : shape_.parts) probe(pose, part);
+        const Rotor<double> bend = rotor(pose.bend);
+        const auto straight = [&](const Vec3& point) { return to_world(pose, point); };
+        probe(shape_.parts[0], pose.up, straight);
+        probe(shape_.parts[1], pose.up, straight);
+        probe(shape_.parts[2], pose.up,
+              [&](const Vec3& point) { return to_world(pose, bent(shape_, bend, point)); });
         return deepest_;
     }
 
@@ -73,13 +78,15 @@ private:
         return true;
     }
 
-    void probe(const BodyPose& pose, const BodyPart& part) noexcept {
+    /// `place(point)` is where a point of the body's frame is.
+    template <class Place>
+    void probe(const BodyPart& part, const Vec3& up, const Place& place) noexcept {
         const double reach = part.around.radius;
-        const Vec3 middle = to_world(pose, part.around.center);
+        const Vec3 middle = place(part.around.center);
         if (space_.holds(middle, reach) || look(middle, part.balls[0].radius, reach) >= reach) return;
-        look_from_above(middle, pose.up, reach);
+        look_from_above(middle, up, reach);
         for (const Ball& ball : part.balls) {
-            const Vec3 center = to_world(pose, ball.center);
+            const Vec3 center = place(ball.center);
             if (!space_.holds(center, ball.radius)) look(center, ball.radius, reach);
         }
     }

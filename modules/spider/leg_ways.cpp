@@ -42,18 +42,45 @@ ReachWays::Reach reach_of(const Leg& leg, const LegTarget& target, const LegPose
             result.answer == LegAnswer::reached};
 }
 
-}  // namespace
-
-/// One call of reach().
-struct LegWays::Asked {
+/// One call of LegWays::reach().
+struct Asked {
     const FootPaths& paths;
     bool cold;
     LegSolverOptions options;
 };
 
-LegWays::LegWays(const Species& species) {
-    for (const Limb& limb : species.limbs) legs_.push_back(limb.leg);
+void one_by_one(const Asked& asked, const LegSolver& solver, std::span<ReachWays::Reach> reaches) {
+    const std::vector<Leg>& legs = asked.paths.legs();
+    std::vector<LegPose> poses;
+    for (const Leg& leg : legs) poses.push_back(rest_pose(leg));
+    for (std::size_t t = 0; t < FootPaths::kTimes; ++t)
+        for (std::size_t i = 0; i < legs.size(); ++i) {
+            if (asked.cold) poses[i] = rest_pose(legs[i]);
+            const LegTarget& target = asked.paths.at(asked.cold, i, t);
+            const LegResult result = solver.solve(legs[i], target, asked.options, poses[i]);
+            if (!reaches.empty()) reaches[t * legs.size() + i] = reach_of(legs[i], target, poses[i], result);
+        }
 }
+
+void in_lanes(const Asked& asked, std::span<ReachWays::Reach> reaches) {
+    const std::vector<Leg>& legs = asked.paths.legs();
+    const LegLanes lanes(legs);
+    std::vector<double> angles(lanes.angle_count()), targets(lanes.target_count());
+    std::vector<LegResult> results(lanes.size());
+    for (std::size_t i = 0; i < lanes.size(); ++i) lanes.set_pose(angles, i, rest_pose(legs[i]));
+    for (std::size_t t = 0; t < FootPaths::kTimes; ++t) {
+        for (std::size_t i = 0; i < lanes.size(); ++i) {
+            if (asked.cold) lanes.set_pose(angles, i, rest_pose(legs[i]));
+            lanes.set_target(targets, i, asked.paths.at(asked.cold, i, t).position);
+        }
+        lanes.solve(targets, asked.options, angles, results);
+        for (std::size_t i = 0; i < reaches.size() / FootPaths::kTimes; ++i)
+            reaches[t * legs.size() + i] =
+                reach_of(legs[i], asked.paths.at(asked.cold, i, t), lanes.pose(angles, i), results[i]);
+    }
+}
+
+}  // namespace
 
 std::span<const ReachWays::Named> LegWays::ways() const noexcept { return kWays; }
 
@@ -69,7 +96,9 @@ std::span<const ReachWays::Named> LegWays::kinds() const noexcept {
 const FootPaths& LegWays::paths(std::size_t kind) {
     paths_.resize(kKinds.size());
     auto& made = paths_[kind];
-    if (!made) made = std::make_unique<FootPaths>(legs_, kKinds[kind].step > 0 ? kKinds[kind].step : kColdStep);
+    if (!made)
+        made = std::make_unique<FootPaths>(legs_of(species_),
+                                           kKinds[kind].step > 0 ? kKinds[kind].step : kColdStep);
     return *made;
 }
 
@@ -79,35 +108,6 @@ void LegWays::reach(std::size_t way, std::size_t kind, const Effort& effort, std
         one_by_one(asked, leg_solvers()[way], reaches);
     else
         in_lanes(asked, reaches);
-}
-
-void LegWays::one_by_one(const Asked& asked, const LegSolver& solver, std::span<Reach> reaches) const {
-    std::vector<LegPose> poses;
-    for (const Leg& leg : legs_) poses.push_back(rest_pose(leg));
-    for (std::size_t t = 0; t < FootPaths::kTimes; ++t)
-        for (std::size_t i = 0; i < legs_.size(); ++i) {
-            if (asked.cold) poses[i] = rest_pose(legs_[i]);
-            const LegTarget& target = asked.paths.at(asked.cold, i, t);
-            const LegResult result = solver.solve(legs_[i], target, asked.options, poses[i]);
-            if (!reaches.empty()) reaches[t * legs_.size() + i] = reach_of(legs_[i], target, poses[i], result);
-        }
-}
-
-void LegWays::in_lanes(const Asked& asked, std::span<Reach> reaches) const {
-    const LegLanes lanes(legs_);
-    std::vector<double> angles(lanes.angle_count()), targets(lanes.target_count());
-    std::vector<LegResult> results(lanes.size());
-    for (std::size_t i = 0; i < lanes.size(); ++i) lanes.set_pose(angles, i, rest_pose(legs_[i]));
-    for (std::size_t t = 0; t < FootPaths::kTimes; ++t) {
-        for (std::size_t i = 0; i < lanes.size(); ++i) {
-            if (asked.cold) lanes.set_pose(angles, i, rest_pose(legs_[i]));
-            lanes.set_target(targets, i, asked.paths.at(asked.cold, i, t).position);
-        }
-        lanes.solve(targets, asked.options, angles, results);
-        for (std::size_t i = 0; i < reaches.size() / FootPaths::kTimes; ++i)
-            reaches[t * legs_.size() + i] =
-                reach_of(legs_[i], asked.paths.at(asked.cold, i, t), lanes.pose(angles, i), results[i]);
-    }
 }
 
 }  // namespace orbweaver::spider

@@ -14,22 +14,19 @@ namespace orbweaver::spider {
 /// one is first asked for.
 class LegWays final : public ReachWays {
 public:
-    explicit LegWays(const Species& species);
+    /// `species` outlives it.
+    explicit LegWays(const Species& species) noexcept : species_(species) {}
 
-    std::size_t limbs() const noexcept override { return legs_.size(); }
+    std::size_t limbs() const noexcept override { return species_.limbs.size(); }
     std::span<const Named> ways() const noexcept override;
     std::span<const Named> kinds() const noexcept override;
-    std::size_t count(std::size_t) const noexcept override { return legs_.size() * FootPaths::kTimes; }
+    std::size_t count(std::size_t) const noexcept override { return limbs() * FootPaths::kTimes; }
     void reach(std::size_t way, std::size_t kind, const Effort& effort, std::span<Reach> reaches) override;
 
 private:
-    struct Asked;
-
-    void one_by_one(const Asked& asked, const LegSolver& solver, std::span<Reach> reaches) const;
-    void in_lanes(const Asked& asked, std::span<Reach> reaches) const;
     const FootPaths& paths(std::size_t kind);
 
-    std::vector<Leg> legs_;
+    const Species& species_;
     std::vector<std::unique_ptr<FootPaths>> paths_;  ///< one a kind, or not made yet
 };
 

@@ -21,7 +21,7 @@ struct CreatureMeasures {
     double worst_penetration = 0;    ///< m, of the body below the surface; see penetration()
     double worst_turn = 0;           ///< degrees in a frame, of the body
     double worst_slip = 0;           ///< m in a frame, of a standing foot
-    double least_margin = 1e300;     ///< m, see stability_margin(); at least minus the creature's height
+    double least_margin = 1e300;     ///< m, of Support; at least minus the creature's height
     double margins = 0;              ///< m, summed over frames
     double distance = 0;             ///< m, walked
 };

@@ -1,15 +1,14 @@
 #include "open_way.hpp"
 
 #include "footholds.hpp"
+#include "ground.hpp"
 #include "orbweaver/exact_math.hpp"
 
 namespace orbweaver::spider {
 
 bool is_open(const Surface& surface, const Footing& ground, const Vec3& way, double length,
              const Vec3& gravity) noexcept {
-    const SurfaceStep placed = surface.place(ground.at, ground.up, way);
-    if (placed.answer != Answer::found) return true;
-    const SurfaceStep step = surface.stride(placed.end, length, {}).step;
+    const SurfaceStep step = stride_along(surface, ground, way, length).step;
     if (step.answer != Answer::found) return true;
     return step.stop != StepStop::border && holds(surface.grip(step.end.at.face), step.end.up, gravity);
 }

@@ -51,11 +51,10 @@ void draw_feel(const Surface& surface, const Conduct& conduct, const Ground& gro
     constexpr int kPieces = 12;
     const double reach = feel_reach(*conduct.species);
     for (const double way : {1.0, -1.0}) {
-        Footing from = ground.footing;
-        from.forward = way * ground.facing;
-        Vec3 last = from.position;
+        Vec3 last = ground.footing.position;
         for (int i = 1; i <= kPieces; ++i) {
-            const SurfaceStep step = surface.step(from, reach * i / kPieces);
+            const SurfaceStep step =
+                stride_along(surface, ground.footing, way * ground.facing, reach * i / kPieces).step;
             if (step.answer != Answer::found) break;
             pen.line(last, step.end.position);
             last = step.end.position;

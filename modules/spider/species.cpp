@@ -4,6 +4,12 @@
 
 namespace orbweaver::spider {
 
+std::vector<Leg> legs_of(const Species& species) {
+    std::vector<Leg> legs;
+    for (const Limb& limb : species.limbs) legs.push_back(limb.leg);
+    return legs;
+}
+
 double mean_leg_length(const Species& species) noexcept {
     double sum = 0;
     for (const Limb& limb : species.limbs) sum += limb.leg.length;

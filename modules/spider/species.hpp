@@ -82,6 +82,9 @@ struct Species {
         0;  ///< m; from it to feet in the middle of their stance, on average, along the ground
 };
 
+/// Of its limbs, in their order.
+std::vector<Leg> legs_of(const Species& species);
+
 /// m, of legs that are there.
 double mean_leg_length(const Species& species) noexcept;
 

@@ -22,12 +22,6 @@
 namespace orbweaver::spider {
 namespace {
 
-std::vector<Leg> legs_of(const Species& species) {
-    std::vector<Leg> legs;
-    for (const Limb& limb : species.limbs) legs.push_back(limb.leg);
-    return legs;
-}
-
 /// One [spider] table: creatures of one kind.
 class SpiderModule final : public Module, public Skins, public Sketch, public Creatures {
 public:
@@ -42,6 +36,7 @@ public:
         conduct_ = conduct_of(host, *surface_, species_);
         if (host.options().text("ik") == "half_jacobian") conduct_.lanes = &lanes_.emplace(legs_of(species_));
         debug_ = host.options().flag("debug");
+        step_ = host.scene().step;
         script_ = control_of(host.options());
         name_ = host.options().has("name") ? host.options().text("name") : host.instance_name();
         const auto count = static_cast<std::size_t>(host.options().integer("count"));
@@ -68,7 +63,6 @@ public:
     }
 
     void run(Phase, const orbweaver::Frame& frame) override {
-        step_ = frame.step;
         gather_crowd();
         const std::optional<Command> command = command_now(frame.time);
         orients_ = frame.index % conduct_.orient_every == 0;
@@ -221,10 +215,11 @@ private:
 
     /// Whom these keep away from: each other, and all others but those they hunt.
     void gather_crowd() {
+        if (conduct_.behaviors.keep_apart == 0 || creatures_.size() + others_.size() == 1) return;
         crowd_.assign(position_.begin(), position_.end());
         for (const Creatures* group : others_)
             crowd_.insert(crowd_.end(), group->positions().begin(), group->positions().end());
-        if (crowd_.size() > 1) neighbors_.gather(crowd_, conduct_.behaviors.apart);
+        neighbors_.gather(crowd_, conduct_.behaviors.apart);
     }
 
     std::optional<Command> command_now(double time) const {
@@ -236,11 +231,13 @@ private:
 
     void advance_one(std::size_t i, const std::optional<Command>& command, double dt) noexcept {
         std::array<Vec3, 16> near;
-        const std::size_t count = crowd_.size() > 1 ? neighbors_.around(i, near) : 0;
-        Company company{random_[i], std::span(near).first(count), conduct_.behaviors.apart, {}, {}, command};
-        company.quarry = nearest_in(quarries_, i);
-        company.hunter = nearest_in(hunters_, i);
-        company.orients = orients_;
+        const std::size_t count = crowd_.empty() ? 0 : neighbors_.around(i, near);
+        const Company company{random_[i],
+                              std::span(near).first(count),
+                              nearest_in(quarries_, i),
+                              nearest_in(hunters_, i),
+                              command,
+                              orients_};
         advance_creature(*surface_, conduct_, company, dt, creatures_[i], measures_[i]);
     }
 
@@ -272,7 +269,7 @@ private:
     std::vector<TimedCommand> script_;
     const Input* keys_ = nullptr;
     Groups quarries_, hunters_, others_;
-    std::vector<Vec3> crowd_;  // m, of these first
+    std::vector<Vec3> crowd_;  // m, of these first; none where nobody keeps apart
     Neighbors neighbors_;
     std::optional<Skin> skin_;  // made when somebody looks
     std::vector<SkinMove> moves_;

@@ -30,9 +30,7 @@ Vec3 beside(const Agent& agent, const Vec3& facing, const Wall& wall, double wan
 Wall find_wall(const Surface& surface, const Footing& ground, const Vec3& way, double reach) noexcept {
     constexpr double kSlope = 0.866;  // the cosine of 30 degrees
     std::array<StrideCorner, 4> corners;
-    const SurfaceStep placed = surface.place(ground.at, ground.up, way);
-    if (placed.answer != Answer::found) return {};
-    const SurfaceStride stride = surface.stride(placed.end, reach, corners);
+    const SurfaceStride stride = stride_along(surface, ground, way, reach, corners);
     if (stride.step.answer != Answer::found) return {};
     for (const StrideCorner& corner : std::span(corners).first(std::min<std::size_t>(stride.corners, 4))) {
         if (!corner.rises || dot(corner.up_before, corner.up_after) > kSlope) continue;

@@ -55,7 +55,7 @@ TEST_CASE("a frame of a creature allocates nothing", "[unit]") {
     place_creature(room.surface(), conduct, room.stand({0, -0.1, 0}, {0, 1, 0}, {1, 0, 0.3}), state);
     const std::size_t before = allocations;
     for (int i = 0; i < 1200; ++i)
-        advance_creature(room.surface(), conduct, {random, {}, 0}, kFrame, state, measures);
+        advance_creature(room.surface(), conduct, {random, {}}, kFrame, state, measures);
     const std::size_t after = allocations;
     CHECK(after == before);
 }

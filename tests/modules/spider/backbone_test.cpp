@@ -2,9 +2,8 @@
 
 #include <cmath>
 
-#include "creatures.hpp"
-#include "land.hpp"
 #include "pauses.hpp"
+#include "walking.hpp"
 
 using namespace orbweaver;
 using namespace orbweaver::spider;
@@ -13,24 +12,12 @@ using land::Land;
 
 namespace {
 
-constexpr double kFrame = 1.0 / 60;
-
-Conduct conduct_of(const Species& species) {
-    Conduct conduct;
-    conduct.species = &species;
-    conduct.gait = find_gait("tetrapod");
-    conduct.path = find_stride_path("cycloid");
-    conduct.solver = find_leg_solver("half_jacobian");
-    conduct.pace = {0.15, 0.01, 0.027, 0.75, 0.62};
-    return conduct;
-}
-
 /// On a floor, all feet down where they are at rest; those of the front half raised by `raised` m.
 CreatureState standing(const Species& species, double raised) {
     CreatureState state;
     state.ground.footing.up = state.turn.up = {0, 1, 0};
     state.ground.footing.forward = state.ground.facing = {1, 0, 0};
-    const Conduct conduct = conduct_of(species);
+    const Conduct conduct = walking(species);
     const BodyPose body = pose_of(conduct, state);
     for (std::size_t leg = 0; leg < species.limbs.size(); ++leg) {
         state.progress[leg] = -1;
@@ -54,7 +41,7 @@ double base_of(const Species& species) {
 TEST_CASE("the abdomen lies along the line from the front feet to the back ones, as far as it bends",
           "[unit]") {
     const Species species = creature("huntsman");
-    const Conduct conduct = conduct_of(species);
+    const Conduct conduct = walking(species);
     // Not quite level: feet at rest are at one height within 1 %.
     CHECK(std::abs(wanted_bend(conduct, standing(species, 0))) < 0.01);
     const double level = std::tan(wanted_bend(conduct, standing(species, 0)));
@@ -68,7 +55,7 @@ TEST_CASE("the abdomen lies along the line from the front feet to the back ones,
 
 TEST_CASE("feet in the air have no say in the bend, and without any it is straight", "[unit]") {
     const Species species = creature("huntsman");
-    const Conduct conduct = conduct_of(species);
+    const Conduct conduct = walking(species);
     CreatureState state = standing(species, 2e-3);
     const double all = wanted_bend(conduct, state);
     state.feet[0].place.y += 0.02;
@@ -83,12 +70,12 @@ TEST_CASE("feet in the air have no say in the bend, and without any it is straig
 
 TEST_CASE("a species whose back does not bend keeps it straight", "[unit]") {
     const Species species = creature("harvestman");
-    CHECK(wanted_bend(conduct_of(species), standing(species, 0.01)) == 0);
+    CHECK(wanted_bend(walking(species), standing(species, 0.01)) == 0);
 }
 
 TEST_CASE("the back bends no faster than it may, and comes to what is wanted", "[unit]") {
     const Species species = creature("huntsman");
-    Conduct conduct = conduct_of(species);
+    Conduct conduct = walking(species);
     conduct.turn_rate = 60;
     CreatureState state = standing(species, -0.1);
     const double most = 60 * kDegree * kFrame;
@@ -104,8 +91,7 @@ TEST_CASE("the back bends no faster than it may, and comes to what is wanted", "
 
 TEST_CASE("a huntsman that walks over a cube's edges bends both ways, within its limits", "[unit]") {
     const Species species = creature("huntsman");
-    Conduct conduct = conduct_of(species);
-    conduct.wander = {1.2, 0.3, 10};
+    const Conduct conduct = walking(species);
     const Land land(mesh::cube(0.3, 4));
     const RandomStream random(1, "bends");
     CreatureState state;
@@ -114,7 +100,7 @@ TEST_CASE("a huntsman that walks over a cube's edges bends both ways, within its
     double least = 0, most = 0;
     for (int i = 0; i < 3600; ++i) {
         const double before = state.bend;
-        advance_creature(land.surface(), conduct, {random, {}, 0}, kFrame, state, measures);
+        advance_creature(land.surface(), conduct, {random, {}}, kFrame, state, measures);
         CHECK(std::abs(state.bend - before) <= conduct.turn_rate * kDegree * kFrame * (1 + 1e-12));
         least = std::min(least, state.bend);
         most = std::max(most, state.bend);

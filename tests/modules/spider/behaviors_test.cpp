@@ -152,7 +152,7 @@ TEST_CASE("wishes of all behaviors are weighed together", "[unit]") {
     behaviors.wander = 2;
     behaviors.seek = goal(land, {0.5, 1, 0});
     behaviors.avoid_obstacles = 0;
-    Company company{random, {}, 0, {}, {}, {}};
+    Company company{random, {}};
     const Vec3 both = combined(behaviors, agent, spot(land, {0, 1, 0}), company, {0, 0, 0.1}, {});
     CHECK(both.x == Approx(0.1 / 3));
     CHECK(both.z == Approx(0.2 / 3));

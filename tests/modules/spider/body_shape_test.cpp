@@ -79,6 +79,20 @@ TEST_CASE("a body's weight is where those of its parts balance", "[unit]") {
     CHECK(huntsman.shape.center_of_mass.z == 0);
 }
 
+TEST_CASE("an abdomen bends about its hinge as its skeleton does", "[unit]") {
+    for (const std::string& name : kCreatures) {
+        INFO(name);
+        const Species species = creature(name);
+        const Vec3 tip{-species.body.thorax.x / 2 - species.body.abdomen.x, 0, 0};
+        for (const double angle : {-0.8, 0.0, 0.5}) {
+            const double length = species.body.abdomen.x;
+            const Vec3 at = bent(species.shape, rotor(angle), tip);
+            CHECK(at.x == Approx(-species.body.thorax.x / 2 - length * std::cos(angle)).epsilon(1e-12));
+            CHECK(at.y == Approx(length * std::sin(angle)).margin(1e-15));
+        }
+    }
+}
+
 TEST_CASE("nobody drags its belly over level ground", "[unit]") {
     for (const std::string& name : kCreatures) {
         INFO(name);

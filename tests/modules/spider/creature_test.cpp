@@ -46,9 +46,13 @@ double depth(const Body& body, const BodyPose& pose, double half, bool outside) 
         for (int latitude = -90; latitude <= 90; latitude += 15)
             for (int longitude = 0; longitude < 360; longitude += 15) {
                 const double a = latitude * kDegree, b = longitude * kDegree;
-                const Vec3 p =
-                    to_world(pose, {middle + extents.x / 2 * std::cos(a) * std::cos(b),
-                                    extents.y / 2 * std::sin(a), extents.z / 2 * std::cos(a) * std::sin(b)});
+                Vec3 at{middle + extents.x / 2 * std::cos(a) * std::cos(b), extents.y / 2 * std::sin(a),
+                        extents.z / 2 * std::cos(a) * std::sin(b)};
+                if (middle < 0) {  // the abdomen bends where the thorax ends
+                    const double x = at.x + front, c = std::cos(pose.bend), s = std::sin(pose.bend);
+                    at = {-front + c * x + s * at.y, c * at.y - s * x, at.z};
+                }
+                const Vec3 p = to_world(pose, at);
                 const double within = half - std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
                 deepest = std::max(deepest, outside ? within : -within);
             }
@@ -63,21 +67,8 @@ TEST_CASE("a huntsman wanders inside and outside, over edges and up walls, and k
     for (const Place& place : places()) {
         INFO(place.name);
         const Land land(place.mesh);
-        const RandomStream random(1, place.name);
-        CreatureState state;
-        CreatureMeasures measures;
-        place_creature(land.surface(), conduct, land.stand(place.at, {0, 1, 0}, {1, 0, 0.3}), state);
-        for (int i = 0; i < kMinutes * 3600; ++i)
-            advance_creature(land.surface(), conduct, {random, {}, 0}, kFrame, state, measures);
-        CHECK(measures.lost_frames == 0);
-        CHECK(measures.worst_slip == 0);
-        CHECK(measures.worst_reach <= 1e-6);  // of leg length
-        CHECK(measures.worst_joint <= 0);
-        CHECK(measures.worst_penetration == 0);
-        CHECK(measures.worst_turn <= conduct.turn_rate * kFrame * (1 + 1e-5));  // told to 0.001 degrees
-        CHECK(measures.distance > kMinutes * 60 * 0.03);  // a fifth of its top speed, pauses counted
-        CHECK(static_cast<double>(measures.feet_down) / static_cast<double>(measures.frames) > 5);
-        CHECK(measures.forced_steps < measures.steps / 20);
+        const CreatureMeasures measures = wandered(land, conduct, place.name, place.at, kMinutes);
+        check_walk(measures, conduct);
         CHECK(static_cast<double>(measures.unstable_frames) <=
               place.most_out_of_balance * static_cast<double>(measures.frames));
     }
@@ -95,7 +86,7 @@ TEST_CASE("no part of a body is in the surface, whichever side of a cube it walk
         place_creature(land->surface(), conduct, land->stand(at, {0, 1, 0}, {1, 0, 0.3}), state);
         double deepest = -HUGE_VAL;
         for (int i = 0; i < 7200; ++i) {
-            advance_creature(land->surface(), conduct, {random, {}, 0}, kFrame, state, measures);
+            advance_creature(land->surface(), conduct, {random, {}}, kFrame, state, measures);
             if (i % 4 == 0)
                 deepest = std::max(deepest, depth(huntsman().body, pose_of(conduct, state), 0.15, is_outside));
         }
@@ -117,7 +108,7 @@ TEST_CASE("who wanders over a floor is in balance, and as often on its feet as i
     int least_down = 8;
     for (int i = 0; i < 7200; ++i) {
         const std::uint64_t before = measures.feet_down;
-        advance_creature(floor.surface(), conduct, {random, {}, 0}, kFrame, state, measures);
+        advance_creature(floor.surface(), conduct, {random, {}}, kFrame, state, measures);
         least_down = std::min(least_down, static_cast<int>(measures.feet_down - before));
     }
     CHECK(least_down >= 4);
@@ -135,7 +126,7 @@ TEST_CASE("a creature goes where its head looks, or little aside of it", "[unit]
     place_creature(floor.surface(), conduct, floor.stand({0, 10, 0}, {0, 1, 0}, {1, 0, 0}), state);
     int far_aside = 0, walking_frames = 0;
     for (int i = 0; i < 7200; ++i) {
-        advance_creature(floor.surface(), conduct, {random, {}, 0}, kFrame, state, measures);
+        advance_creature(floor.surface(), conduct, {random, {}}, kFrame, state, measures);
         const double speed = norm(state.ground.velocity);
         if (speed < 0.01) continue;
         ++walking_frames;
@@ -153,7 +144,7 @@ TEST_CASE("feet that stand are on the surface to rounding", "[unit]") {
     CreatureMeasures measures;
     place_creature(land.surface(), conduct, land.stand({0, 0.25, 0}, {0, 1, 0}, {1, 0, 0.3}), state);
     for (int i = 0; i < 3600; ++i) {
-        advance_creature(land.surface(), conduct, {random, {}, 0}, kFrame, state, measures);
+        advance_creature(land.surface(), conduct, {random, {}}, kFrame, state, measures);
         for (std::size_t leg = 0; leg < 8; ++leg) {
             if (state.progress[leg] >= 0) continue;
             const SurfaceHit hit = land.surface().closest_point(state.feet[leg].place, 1);
@@ -173,11 +164,11 @@ TEST_CASE("a creature that was saved and restored walks on as the one that never
     std::vector<double> saved(count_numbers(8)), end(saved.size()), second_end(saved.size());
     for (int i = 0; i < 1200; ++i) {
         if (i == 617) write_numbers(whole, 8, saved.data());
-        advance_creature(land.surface(), conduct, {random, {}, 0}, kFrame, whole, measures);
+        advance_creature(land.surface(), conduct, {random, {}}, kFrame, whole, measures);
     }
     read_numbers(saved.data(), 8, second);
     for (int i = 617; i < 1200; ++i)
-        advance_creature(land.surface(), conduct, {random, {}, 0}, kFrame, second, measures);
+        advance_creature(land.surface(), conduct, {random, {}}, kFrame, second, measures);
     write_numbers(whole, 8, end.data());
     write_numbers(second, 8, second_end.data());
     CHECK(end == second_end);

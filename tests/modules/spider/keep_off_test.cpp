@@ -100,6 +100,26 @@ TEST_CASE("a body is pushed off walls, out of corners and over edges, and no mor
     CHECK(norm(shift) < 0.01);
 }
 
+TEST_CASE("a bent abdomen counts where it is", "[unit]") {
+    const Land cube(mesh::cube(1, 4));
+    const Species huntsman = creature("huntsman");
+    const Footing ground = cube.stand({0.03, 0.5, 0.02}, {0, 1, 0}, {1, 0, 0});
+    BodyPose pose = above(ground, {1, 0, 0}, 0.004);
+    CHECK(penetration(cube.surface(), huntsman.shape, ground, pose) == 0);
+    pose.bend = 0.8;  // raised
+    CHECK(penetration(cube.surface(), huntsman.shape, ground, pose) == 0);
+    pose.bend = -0.8;
+    const Vec3 half = 0.5 * huntsman.body.abdomen;
+    const double lowest =  // of the bent ellipsoid below the thorax's middle
+        half.x * std::sin(0.8) + std::hypot(half.x * std::sin(0.8), half.y * std::cos(0.8));
+    const double deep = penetration(cube.surface(), huntsman.shape, ground, pose);
+    CHECK(deep >= lowest - 0.004);
+    CHECK(deep <= lowest - 0.004 + 0.36 * half.y);  // the balls' growth
+    Vec3 shift;
+    CHECK(keep_off(cube.surface(), huntsman.shape, ground, pose, 0.04, shift) == 0);
+    CHECK(dot(shift, ground.up) >= lowest - 0.004);
+}
+
 TEST_CASE("where a body has no room the penetration that is left is told", "[unit]") {
     const Land tube(mesh::room(0.008, 2));  // 8 mm wide: an abdomen is 12 mm long
     const Species huntsman = creature("huntsman");

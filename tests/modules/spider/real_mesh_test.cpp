@@ -36,20 +36,6 @@ TEST_CASE("a huntsman wanders over real meshes and keeps its feet", "[extreme]")
     for (const std::string name : {"stanford-bunny", "spot", "fandisk", "suzanne"}) {
         INFO(name);
         const Land land(real_mesh(name, 0.5));
-        const RandomStream random(1, name);
-        CreatureState state;
-        CreatureMeasures measures;
-        place_creature(land.surface(), conduct, land.stand({0, 1, 0}, {0, 1, 0}, {1, 0, 0.3}), state);
-        for (int i = 0; i < kMinutes * 3600; ++i)
-            advance_creature(land.surface(), conduct, {random, {}, 0}, kFrame, state, measures);
-        CHECK(measures.lost_frames == 0);
-        CHECK(measures.worst_slip == 0);
-        CHECK(measures.worst_reach <= 1e-6);  // of leg length
-        CHECK(measures.worst_joint <= 0);
-        CHECK(measures.worst_turn <= conduct.turn_rate * kFrame * (1 + 1e-5));
-        CHECK(measures.worst_penetration == 0);
-        CHECK(measures.distance > kMinutes * 60 * 0.03);
-        CHECK(measures.forced_steps < measures.steps / 20);
-        CHECK(static_cast<double>(measures.feet_down) / static_cast<double>(measures.frames) > 5);
+        check_walk(wandered(land, conduct, name, {0, 1, 0}, kMinutes), conduct);
     }
 }

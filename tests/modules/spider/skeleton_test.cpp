@@ -1,6 +1,6 @@
 #include "skeleton.hpp"
 
-#include "creatures.hpp"
+#include "walking.hpp"
 
 using namespace orbweaver;
 using namespace orbweaver::spider;
@@ -63,9 +63,7 @@ TEST_CASE("a bend lifts the abdomen about the thorax's back, palps turn up, chel
 }
 
 TEST_CASE("palps and chelicerae are still but in pauses", "[unit]") {
-    const Species species = creature("huntsman");
-    Conduct conduct;
-    conduct.species = &species;
+    const Conduct conduct = walking(huntsman());
     const RandomStream random(3, "palps");
     CreatureState state;
     double most = 0;
@@ -87,9 +85,7 @@ TEST_CASE("palps and chelicerae are still but in pauses", "[unit]") {
 
 TEST_CASE("palps do not jump when a pause begins or ends", "[unit]") {
     constexpr double kStep = 1e-3;
-    const Species species = creature("huntsman");
-    Conduct conduct;
-    conduct.species = &species;
+    const Conduct conduct = walking(huntsman());
     const RandomStream random(3, "palps");
     CreatureState state;
     double last = 0;

@@ -34,7 +34,7 @@ struct Walker {
         CreatureMeasures measures;
         place_creature(land.surface(), conduct, land.stand({0.05, 0.3, 0.03}, {0, 1, 0}, {1, 0, 0}), state);
         for (int i = 0; i < frames; ++i)
-            advance_creature(land.surface(), conduct, {random, {}, 0}, 1.0 / 60, state, measures);
+            advance_creature(land.surface(), conduct, {random, {}}, 1.0 / 60, state, measures);
     }
     std::vector<SketchLine> lines(const Color& color) const {
         std::vector<SketchLine> all, some;

@@ -60,7 +60,7 @@ TEST_CASE("a foot that finds nothing searches, and stands as soon as there is so
                                                1};  // the foremost: they do not turn back so far as to the rock
     Vec3 low = state.feet[0].place, high = low;
     for (std::uint64_t i = 0; i < kFrames; ++i) {
-        advance_creature(wall.surface(), conduct, {random, {}, 0}, kFrame, state, measures);
+        advance_creature(wall.surface(), conduct, {random, {}}, kFrame, state, measures);
         const BodyPose body = pose_of(conduct, state);
         for (const std::size_t leg : searching) {
             const Limb& limb = huntsman().limbs[leg];
@@ -81,7 +81,7 @@ TEST_CASE("a foot that finds nothing searches, and stands as soon as there is so
     CHECK(high.x - low.x > 0.3 * leg);
     CHECK(high.y - low.y > 0.3 * leg);
     for (int i = 0; i < 30; ++i)
-        advance_creature(rock.surface(), conduct, {random, {}, 0}, kFrame, state, measures);
+        advance_creature(rock.surface(), conduct, {random, {}}, kFrame, state, measures);
     for (std::size_t each = 0; each < kLegs; ++each) {
         CHECK(state.feet[each].holds);
         CHECK(state.progress[each] < 0);
@@ -103,8 +103,8 @@ TEST_CASE("legs that are solved side by side step as those solved one after the 
     place_creature(room.surface(), one_by_one, ground, first);
     place_creature(room.surface(), side_by_side, ground, second);
     for (int i = 0; i < 900; ++i) {
-        advance_creature(room.surface(), one_by_one, {random, {}, 0}, kFrame, first, measures);
-        advance_creature(room.surface(), side_by_side, {random, {}, 0}, kFrame, second, measures);
+        advance_creature(room.surface(), one_by_one, {random, {}}, kFrame, first, measures);
+        advance_creature(room.surface(), side_by_side, {random, {}}, kFrame, second, measures);
     }
     CHECK(numbers_of(first) == numbers_of(second));
 }
@@ -140,7 +140,7 @@ TEST_CASE("who turns on the spot steps round with its body, in turn and in balan
     for (int i = 0; i < 1200; ++i) {
         // Creeping, and always wanting to go to its left.
         state.ground.velocity = 0.004 * cross(state.ground.footing.up, state.ground.facing);
-        advance_creature(floor.surface(), conduct, {random, {}, 0}, kFrame, state, measures);
+        advance_creature(floor.surface(), conduct, {random, {}}, kFrame, state, measures);
         if (i == 60) measures = {};
     }
     CHECK(measures.worst_turn * 60 > 60);  // degrees a second

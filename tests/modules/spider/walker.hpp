@@ -3,6 +3,7 @@
 #include "creature.hpp"
 #include "creatures.hpp"
 #include "land.hpp"
+#include "walking.hpp"
 
 /// A huntsman that walks on a mesh of ours, on and on until a test has seen enough.
 namespace walker {
@@ -10,16 +11,11 @@ namespace walker {
 using namespace orbweaver;
 using namespace orbweaver::spider;
 
-constexpr double kFrame = 1.0 / 60;
+using spider::test::kFrame;
 
 /// Wants nothing but what a test adds, at 0.15 m/s, and never rests.
 inline Conduct purposeful() {
-    static const Species huntsman = spider::test::creature("huntsman");
-    Conduct conduct;
-    conduct.species = &huntsman;
-    conduct.gait = find_gait("tetrapod");
-    conduct.path = find_stride_path("cycloid");
-    conduct.solver = find_leg_solver("half_jacobian");
+    Conduct conduct = spider::test::walking(spider::test::huntsman());
     conduct.pace = {0.15, 0.01, 0.027, 0.75, 0.62};
     conduct.wander = {1.2, 0.3, 10};
     conduct.rests = false;
@@ -49,7 +45,7 @@ struct Walker {
 
     void step(const std::optional<Command>& command = {}, const std::optional<Agent>& quarry = {},
               const std::optional<Agent>& hunter = {}) {
-        advance_creature(land.surface(), conduct, {random, {}, 0, quarry, hunter, command}, kFrame, state,
+        advance_creature(land.surface(), conduct, {random, {}, quarry, hunter, command}, kFrame, state,
                          measures);
     }
     void walk(double seconds, const std::optional<Command>& command = {}) {

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cmath>
+#include <string>
+
 #include "creature.hpp"
 #include "creatures.hpp"
+#include "land.hpp"
 
 /// How the tests' creatures walk.
 namespace orbweaver::spider::test {
@@ -24,6 +28,32 @@ inline Conduct walking(const Species& species) {
 inline const Species& huntsman() {
     static const Species species = creature("huntsman");
     return species;
+}
+
+/// What one of them came to that wandered from `place` on for so many minutes.
+inline CreatureMeasures wandered(const land::Land& land, const Conduct& conduct, const std::string& name,
+                                 const Vec3& place, int minutes) {
+    const RandomStream random(1, name);
+    CreatureState state;
+    CreatureMeasures measures;
+    place_creature(land.surface(), conduct, land.stand(place, {0, 1, 0}, {1, 0, 0.3}), state);
+    for (int i = 0; i < minutes * 3600; ++i)
+        advance_creature(land.surface(), conduct, {random, {}}, kFrame, state, measures);
+    return measures;
+}
+
+/// What has to hold of it wherever it walked.
+inline void check_walk(const CreatureMeasures& measures, const Conduct& conduct) {
+    const double frames = static_cast<double>(measures.frames);
+    CHECK(measures.lost_frames == 0);
+    CHECK(measures.worst_slip == 0);
+    CHECK(measures.worst_reach <= 1e-6);  // of leg length
+    CHECK(measures.worst_joint <= 0);
+    CHECK(measures.worst_penetration == 0);
+    CHECK(measures.worst_turn <= conduct.turn_rate * kFrame * (1 + 1e-5));  // told to 0.001 degrees
+    CHECK(measures.distance > frames * kFrame * 0.03);  // a fifth of its top speed, pauses counted
+    CHECK(static_cast<double>(measures.feet_down) / frames > 5);
+    CHECK(measures.forced_steps < measures.steps / 20);
 }
 
 }  // namespace orbweaver::spider::test
