@@ -52,6 +52,7 @@ struct Asked {
 void one_by_one(const Asked& asked, const LegSolver& solver, std::span<ReachWays::Reach> reaches) {
     const std::vector<Leg>& legs = asked.paths.legs();
     std::vector<LegPose> poses;
+    poses.reserve(legs.size());
     for (const Leg& leg : legs) poses.push_back(rest_pose(leg));
     for (std::size_t t = 0; t < FootPaths::kTimes; ++t)
         for (std::size_t i = 0; i < legs.size(); ++i) {

@@ -56,7 +56,7 @@ public:
             ThreadPass(canvas_.gl, *threads, {0.2, {0, 0, 0}, 1}).draw(camera, kSize, kSize);
         std::vector<std::uint8_t> rgb;
         target_.read(rgb);
-        return picture::linear_from_byte()[rgb[3 * (kSize / 2 * kSize + kSize / 2)]];
+        return picture::linear_from_byte()[rgb[std::size_t{3} * (kSize / 2 * kSize + kSize / 2)]];
     }
     const Gl& gl() const { return canvas_.gl; }
 

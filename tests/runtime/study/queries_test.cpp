@@ -39,7 +39,7 @@ struct Asked {
         settings.run.quiet = true;
         settings.repeats = 1;
     }
-    WaysResult study(std::vector<SurfaceWays*> offers, double seconds = 60) {
+    WaysResult study(const std::vector<SurfaceWays*>& offers, double seconds = 60) {
         return study_queries(settings, "a cube", 7, cube.surface, offers, deadline_in(seconds, interrupt));
     }
 };

@@ -25,6 +25,7 @@ public:
     explicit Program(std::vector<std::string> arguments, const std::string& program = ORBWEAVER_PROGRAM) {
         arguments.insert(arguments.begin(), program);
         std::vector<char*> argv;
+        argv.reserve(arguments.size() + 1);
         for (std::string& argument : arguments) argv.push_back(argument.data());
         argv.push_back(nullptr);
         posix_spawn_file_actions_t actions;
