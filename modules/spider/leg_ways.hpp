@@ -16,6 +16,7 @@ class LegWays final : public ReachWays {
 public:
     /// `species` outlives it.
     explicit LegWays(const Species& species) noexcept : species_(species) {}
+    explicit LegWays(const Species&&) = delete;
 
     std::size_t limbs() const noexcept override { return species_.limbs.size(); }
     std::span<const Named> ways() const noexcept override;

@@ -28,7 +28,8 @@ double worst(const std::vector<Reach>& all) {
 }  // namespace
 
 TEST_CASE("every solver is a way, and so are the lanes", "[unit]") {
-    const LegWays ways(test::creature("huntsman"));
+    const Species huntsman = test::creature("huntsman");
+    const LegWays ways(huntsman);
     REQUIRE(ways.ways().size() == leg_solvers().size() + 1);
     for (std::size_t i = 0; i < leg_solvers().size(); ++i) CHECK(ways.ways()[i].name == leg_solvers()[i].name);
     CHECK(ways.limbs() == 8);
@@ -36,7 +37,8 @@ TEST_CASE("every solver is a way, and so are the lanes", "[unit]") {
 }
 
 TEST_CASE("warm targets are reached by every way within its tolerance, and said to be", "[unit]") {
-    LegWays ways(test::creature("ant"));
+    const Species ant = test::creature("ant");
+    LegWays ways(ant);
     for (std::size_t way = 0; way < ways.ways().size(); ++way)
         for (const double tolerance : {1e-2, 1e-6}) {
             CAPTURE(ways.ways()[way].name, tolerance);
@@ -48,7 +50,8 @@ TEST_CASE("warm targets are reached by every way within its tolerance, and said 
 
 // The lanes give the bits of the solver: so do their errors.
 TEST_CASE("the lanes err as the half Jacobian does, target by target", "[unit]") {
-    LegWays ways(test::creature("lizard"));
+    const Species lizard = test::creature("lizard");
+    LegWays ways(lizard);
     for (std::size_t kind = 0; kind < ways.kinds().size(); ++kind)
         for (const Effort& effort : {Effort{1e-4, 0}, Effort{0, 2}}) {
             const auto one = reaches(ways, 0, kind, effort), lanes = reaches(ways, 4, kind, effort);
@@ -57,7 +60,8 @@ TEST_CASE("the lanes err as the half Jacobian does, target by target", "[unit]")
 }
 
 TEST_CASE("more steps of one search come nearer to cold targets", "[unit]") {
-    LegWays ways(test::creature("huntsman"));
+    const Species huntsman = test::creature("huntsman");
+    LegWays ways(huntsman);
     const auto cold = ways.kinds().size() - 1;
     const auto median = [&](int steps) {
         auto found = reaches(ways, 0, cold, {0, steps});
