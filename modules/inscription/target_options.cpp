@@ -1,10 +1,14 @@
 #include "target_options.hpp"
 
+#include <algorithm>
+
 #include "orbweaver/fault.hpp"
 
 namespace orbweaver::inscription {
 
 namespace {
+
+constexpr double kGaps = 0.1;  ///< of a scene that asks for random gaps alone
 
 /// Takes what the scene says; leaves alone what it does not.
 class Taker {
@@ -44,7 +48,10 @@ TargetRecipe target_recipe(const Options& options) {
     taker.take("margin", recipe.margin);
     taker.take("font", recipe.font);
     taker.take("line_spacing", recipe.line_spacing);
+    if (options.has("mode") && options.text("mode") == "random_gaps") recipe.gaps = kGaps;
     taker.take("gaps", recipe.gaps);
+    if (recipe.text && options.has("lines") && options.text("lines") == "words")
+        std::replace(recipe.text->begin(), recipe.text->end(), ' ', '\n');
     if (options.has("gaps_seed")) recipe.seed = static_cast<std::uint64_t>(options.integer("gaps_seed"));
     if (options.has("resolution"))
         recipe.width = recipe.height = static_cast<std::uint32_t>(options.integer("resolution"));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "alteration.hpp"
+#include "measures.hpp"
 #include "orbweaver/fault.hpp"
 
 namespace orbweaver::web {
@@ -31,6 +32,7 @@ Draft::Draft(Web web, const Settling& how) : how_(how) {
 const WebAtRest& Draft::changed(const WebChange& change) {
     changed_.web = alter(plain_.web, change);
     bring_to_rest(changed_);
+    is_changed_ = true;
     return changed_.seen;
 }
 
@@ -47,8 +49,15 @@ void Draft::bring_to_rest(Form& form) const {
     form.tension.clear();
     for (const mass_spring::Spring& spring : form.web.network.springs)
         form.tension.push_back(mass_spring::tension(spring, layout.positions));
-    form.seen = {layout.positions, form.segments,       form.tension,    kKindNames,
-                 layout.center,    layout.plane.across, layout.plane.up, found.residual};
+    form.seen = {layout.positions,
+                 form.segments,
+                 form.tension,
+                 kKindNames,
+                 layout.center,
+                 layout.plane.across,
+                 layout.plane.up,
+                 measure_orb(layout, layout.positions).mesh_width,
+                 found.residual};
 }
 
 }  // namespace orbweaver::web

@@ -31,8 +31,8 @@ public:
 
     const WebAtRest& plain() const noexcept override { return plain_.seen; }
     const WebAtRest& changed(const WebChange& change) override;
-    /// The web of the last call of changed().
-    Web& web() noexcept { return changed_.web; }
+    /// The web as it was changed last, or the plain one.
+    Web& web() noexcept { return is_changed_ ? changed_.web : plain_.web; }
 
 private:
     struct Form {
@@ -45,6 +45,7 @@ private:
 
     Settling how_;
     Form plain_, changed_;
+    bool is_changed_ = false;
 };
 
 }  // namespace orbweaver::web

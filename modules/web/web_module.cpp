@@ -165,7 +165,7 @@ private:
 
     void inscribe(Inscriber& inscriber, const Settling& settling) {
         Draft draft(std::move(web_), settling);
-        draft.changed(inscriber.inscribe(draft));
+        inscriber.inscribe(draft, *this);
         web_ = std::move(draft.web());
     }
 

@@ -19,6 +19,7 @@ struct WebAtRest {
     std::span<const std::string_view> kinds;  ///< "radius", "spiral", ...
     Vec3 center;                              ///< m, of the hub
     Vec3 right, up;                           ///< unit, in the web's plane, as a viewer sees it
+    double mesh_width = 0;                    ///< m, between neighboring turns of the spiral; 0: there is none
     double residual = 0;                      ///< N, largest net force on a point that is free
 };
 
@@ -56,12 +57,13 @@ protected:
     ~WebDraft() = default;
 };
 
-/// Whoever writes in webs. A web asks once, before time starts, and is as the answer says from then on.
+/// Whoever writes in webs. A web asks once, before time starts, and is from then on as its draft was changed last.
 class Inscriber {
 public:
     static constexpr const char* kContract = "inscriber/1";
 
-    virtual WebChange inscribe(WebDraft& draft) = 0;
+    /// `threads` is the web itself as it moves, to be looked at once time runs.
+    virtual void inscribe(WebDraft& draft, const Threads& threads) = 0;
 
 protected:
     ~Inscriber() = default;

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+
+#include "orbweaver/contracts/threads.hpp"
+#include "page.hpp"
+#include "raster.hpp"
+
+namespace orbweaver::inscription {
+
+/// How well what a web shows agrees with what was to be written, from 0 to 1 unless said otherwise.
+struct Legibility {
+    double iou = 0;       ///< intersection over union of what is dark in the target and in the picture
+    double ssim = 0;      ///< structural similarity (Wang et al. 2004) of both, -1 to 1
+    double contrast = 1;  ///< silk per area inside of the target over that beside it; 1: none
+};
+
+/// What was to be written, as a page shows it.
+struct Lettering {
+    Page page;
+    Bitmap coverage;
+    double blur = 0;  ///< m, standard deviation of the Gaussian through which a distant viewer sees
+};
+
+/// Measures within the box of all that is dark in the coverage, grown by the blur to each side.
+///
+/// The picture is the web's ink, blurred; where its contrast is below 1, its negative. For `iou` it is parted in
+/// two by Otsu's threshold within the box. For `ssim` the picture and the coverage, blurred as well, are each
+/// stretched from 0 to 1 within the box; windows are Gaussians of the blur's width, with the usual constants
+/// 0.01^2 and 0.03^2.
+Legibility measure_legibility(std::span<const Vec3> points, std::span<const ThreadSegment> segments,
+                              const Lettering& lettering);
+
+}  // namespace orbweaver::inscription

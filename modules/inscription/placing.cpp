@@ -1,0 +1,194 @@
+#include "placing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace orbweaver::inscription {
+
+namespace {
+
+constexpr double kBeside = 0.005;  ///< share of what is dark that may lie on ground that is not writable
+constexpr int kHalvings = 12;      ///< of the range of scales
+
+/// A run of rows that are dark somewhere.
+struct Band {
+    std::uint32_t top, bottom;
+};
+
+std::vector<Band> dark_bands(const Target& target) {
+    std::vector<Band> bands;
+    for (std::uint32_t y = 0; y < target.height; ++y) {
+        const auto row = target.coverage.subspan(target.index(0, y), target.width);
+        if (std::find(row.begin(), row.end(), 1) == row.end()) continue;
+        if (!bands.empty() && bands.back().bottom == y)
+            ++bands.back().bottom;
+        else
+            bands.push_back({y, y + 1});
+    }
+    return bands;
+}
+
+Block close_block(const Target& target, const Band& band) {
+    Block block{target.width, band.top, 0, band.bottom};
+    for (std::uint32_t y = band.top; y < band.bottom; ++y)
+        for (std::uint32_t x = 0; x < target.width; ++x) {
+            if (target.coverage[target.index(x, y)] == 0) continue;
+            block.left = std::min(block.left, x);
+            block.right = std::max(block.right, x + 1);
+        }
+    return block;
+}
+
+/// How many pixels each one is from ground that is not writable, or from the edge, in steps to the four sides.
+std::vector<std::uint32_t> depths(const Bitmap& writable) {
+    const std::uint32_t width = writable.width, height = writable.height;
+    std::vector<std::uint32_t> depth(writable.values.size());
+    const auto at = [&](std::uint32_t x, std::uint32_t y) -> std::uint32_t& {
+        return depth[static_cast<std::size_t>(y) * width + x];
+    };
+    for (std::uint32_t y = 0; y < height; ++y)
+        for (std::uint32_t x = 0; x < width; ++x)
+            if (writable.row(y)[x] != 0)
+                at(x, y) = 1 + (x > 0 && y > 0 ? std::min(at(x - 1, y), at(x, y - 1)) : 0);
+    for (std::uint32_t y = height; y-- > 0;)
+        for (std::uint32_t x = width; x-- > 0;)
+            if (writable.row(y)[x] != 0)
+                at(x, y) = std::min(at(x, y),
+                                    1 + (x + 1 < width && y + 1 < height ? std::min(at(x + 1, y), at(x, y + 1)) : 0));
+    return depth;
+}
+
+struct Offset {
+    std::int32_t x, y;
+};
+
+/// What is dark in a block at some scale, pixels of the page from its middle.
+std::vector<Offset> dark_offsets(const Target& target, const Block& block, double scale) {
+    std::vector<Offset> dark;
+    const auto reach_x = static_cast<std::int32_t>(std::ceil(0.5 * block.width() * scale));
+    const auto reach_y = static_cast<std::int32_t>(std::ceil(0.5 * block.height() * scale));
+    for (std::int32_t y = -reach_y; y <= reach_y; ++y)
+        for (std::int32_t x = -reach_x; x <= reach_x; ++x) {
+            const double tx = std::floor(x / scale + 0.5 * block.width()) + block.left;
+            const double ty = std::floor(y / scale + 0.5 * block.height()) + block.top;
+            if (tx < block.left || ty < block.top || tx >= block.right || ty >= block.bottom) continue;
+            if (target.coverage[target.index(static_cast<std::uint32_t>(tx), static_cast<std::uint32_t>(ty))] != 0)
+                dark.push_back({x, y});
+        }
+    return dark;
+}
+
+/// Looks for places on ground of which it knows how deep it is.
+class Ground {
+public:
+    explicit Ground(const Bitmap& writable) : width_(writable.width), height_(writable.height), depth_(depths(writable)) {}
+
+    /// The deepest place for a block whose middle lies in rows from `top` to before `bottom`.
+    std::optional<Spot> best_place(const std::vector<Offset>& dark, std::uint32_t top, std::uint32_t bottom) const {
+        std::optional<Spot> best;
+        std::uint64_t deepest = 0;
+        for (std::uint32_t y = top; y < bottom; ++y)
+            for (std::uint32_t x = 0; x < width_; ++x) {
+                const std::uint64_t depth = depth_at(dark, x, y);
+                if (depth <= deepest) continue;
+                deepest = depth;
+                best = {x + 0.5, y + 0.5};
+            }
+        return best;
+    }
+
+private:
+    /// Of all that is dark together; 0 where it does not fit.
+    std::uint64_t depth_at(const std::vector<Offset>& dark, std::uint32_t x, std::uint32_t y) const {
+        const auto most = static_cast<std::size_t>(kBeside * static_cast<double>(dark.size()));
+        std::size_t beside = 0;
+        std::uint64_t sum = 0;
+        for (const Offset& each : dark) {
+            const std::int64_t px = std::int64_t{x} + each.x, py = std::int64_t{y} + each.y;
+            const bool seen = px >= 0 && py >= 0 && px < width_ && py < height_;
+            const std::uint32_t depth = seen ? depth_[static_cast<std::size_t>(py) * width_ + static_cast<std::size_t>(px)] : 0;
+            if (depth == 0 && ++beside > most) return 0;
+            sum += depth;
+        }
+        return sum;
+    }
+
+    std::uint32_t width_, height_;
+    std::vector<std::uint32_t> depth_;
+};
+
+}  // namespace
+
+Placement whole(const Target& target, const Spot& middle, double width) {
+    return {{0, 0, target.width, target.height}, middle, width / target.width};
+}
+
+Bitmap place(const Target& target, const std::vector<Placement>& placements, std::uint32_t side) {
+    Bitmap page(side, side);
+    for (const Placement& placed : placements) {
+        const Block& block = placed.block;
+        const double left = placed.middle.x - 0.5 * block.width() * placed.scale;
+        const double top = placed.middle.y - 0.5 * block.height() * placed.scale;
+        for (std::uint32_t y = 0; y < side; ++y) {
+            const double row = std::floor((y + 0.5 - top) / placed.scale);
+            if (row < 0 || row >= block.height()) continue;
+            for (std::uint32_t x = 0; x < side; ++x) {
+                const double column = std::floor((x + 0.5 - left) / placed.scale);
+                if (column < 0 || column >= block.width()) continue;
+                page.row(y)[x] |= target.coverage[target.index(block.left + static_cast<std::uint32_t>(column),
+                                                               block.top + static_cast<std::uint32_t>(row))];
+            }
+        }
+    }
+    return page;
+}
+
+std::vector<Block> blocks_of(const Target& target, std::size_t lines) {
+    const std::vector<Band> bands = dark_bands(target);
+    if (bands.empty()) return {};
+    const Band all{bands.front().top, bands.back().bottom};
+    if (lines < 2 || bands.size() < lines) return {close_block(target, all)};
+    // Rows between lines are wider than those between a letter and its dot.
+    std::vector<std::size_t> gaps;  // each by the band above it
+    for (std::size_t i = 0; i + 1 < bands.size(); ++i) gaps.push_back(i);
+    const auto width = [&](std::size_t gap) { return bands[gap + 1].top - bands[gap].bottom; };
+    std::stable_sort(gaps.begin(), gaps.end(), [&](std::size_t a, std::size_t b) { return width(a) > width(b); });
+    gaps.resize(lines - 1);
+    std::sort(gaps.begin(), gaps.end());
+    const std::size_t middle = gaps[(lines + 1) / 2 - 1];
+    return {close_block(target, {all.top, bands[middle].bottom}),
+            close_block(target, {bands[middle + 1].top, all.bottom})};
+}
+
+std::optional<std::vector<Placement>> best_placements(const Target& target, const std::vector<Block>& blocks,
+                                                      const Bitmap& writable, const Spot& hub, double least) {
+    const Ground ground(writable);
+    const auto row = static_cast<std::uint32_t>(std::clamp(hub.y, 0.0, static_cast<double>(writable.height)));
+    const auto at_scale = [&](double scale) -> std::optional<std::vector<Placement>> {
+        std::vector<Placement> placed;
+        for (std::size_t i = 0; i < blocks.size(); ++i) {
+            const std::uint32_t top = i == 0 ? 0 : row, bottom = i == 0 && blocks.size() > 1 ? row : writable.height;
+            const auto spot = ground.best_place(dark_offsets(target, blocks[i], scale), top, bottom);
+            if (!spot) return std::nullopt;
+            placed.push_back({blocks[i], *spot, scale});
+        }
+        return placed;
+    };
+    std::optional<std::vector<Placement>> best = at_scale(least);
+    double fits = least, too_large = std::numeric_limits<double>::infinity();
+    for (const Block& block : blocks)
+        too_large = std::min({too_large, writable.width / block.width(), writable.height / block.height()});
+    for (int i = 0; best && i < kHalvings && too_large > fits; ++i) {
+        const double scale = 0.5 * (fits + too_large);
+        if (auto found = at_scale(scale)) {
+            best = std::move(found);
+            fits = scale;
+        } else {
+            too_large = scale;
+        }
+    }
+    return best;
+}
+
+}  // namespace orbweaver::inscription

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "orbweaver/contracts/inscriber.hpp"
+
+namespace orbweaver::inscription {
+
+/// The threads of one kind ("spiral", "radius"), in the web's order.
+std::vector<std::uint32_t> threads_of(const WebAtRest& web, std::string_view kind);
+
+}  // namespace orbweaver::inscription
