@@ -1,5 +1,5 @@
-// Figure 6.12 of the thesis: each mass of the spiral is joined to two more along it, beyond the one that it is joined
-// to; of these threads those stay that match the target. The spiral itself stays whole.
+// Figure 6.12 of the thesis: each mass of the spiral is joined to two more along it, beyond the one that it is
+// joined to; of these threads those stay that match the target. The spiral itself stays whole.
 
 #include <algorithm>
 #include <set>

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -25,8 +27,8 @@ struct Written {
     const Threads& threads;
     Lettering lettering;
     Naturalness naturalness;
-    Legibility plain;    ///< of the same place before
-    Legibility at_rest;  ///< after
+    Legibility plain;                                   ///< of the same place before
+    Legibility at_rest;                                 ///< after
     std::size_t removed = 0, added = 0, thickened = 0;  ///< threads, and parts of them
     std::size_t watched = 0;
     double iou_sum = 0;  ///< while it moves
@@ -54,10 +56,13 @@ ModeSettings settings_of(const Options& options) {
 
 WhereToWrite place_of(const Options& options, const TargetRecipe& recipe) {
     WhereToWrite where;
-    if (options.has("position")) where.position = {options.numbers("position")[0], options.numbers("position")[1]};
+    if (options.has("position"))
+        where.position = {options.numbers("position")[0], options.numbers("position")[1]};
     if (options.has("size")) where.size = options.number("size");
     where.best_place = options.text("mode") == "legible";
-    if (recipe.text) where.lines += static_cast<std::size_t>(std::count(recipe.text->begin(), recipe.text->end(), '\n'));
+    if (recipe.text)
+        where.lines += static_cast<std::size_t>(std::count(recipe.text->begin(), recipe.text->end(), '\n'));
+    where.most_ink = options.number("naturalness_loss") / std::max(options.number("thickness") - 1, 1e-3);
     where.side = static_cast<std::uint32_t>(options.integer("resolution"));
     where.blur = options.number("blur");
     return where;
@@ -111,12 +116,13 @@ public:
     void report(ModuleReport& report) override {
         report.method = mode_->name;
         if (written_.empty()) return;
-        const Written& worst = *std::min_element(written_.begin(), written_.end(), [](const Written& a, const Written& b) {
-            return a.at_rest.iou < b.at_rest.iou;
-        });
+        const Written& worst =
+            *std::min_element(written_.begin(), written_.end(),
+                              [](const Written& a, const Written& b) { return a.at_rest.iou < b.at_rest.iou; });
         report.has_error = true;
         report.error = {1 - worst.at_rest.iou, "1",
-                        "share of target and what is read, together, in which they differ; written at rest", seconds_};
+                        "share of target and what is read, together, in which they differ; written at rest",
+                        seconds_};
         for (const Written& each : written_) report.memory_bytes += each.lettering.coverage.values.size();
         report_legibility(worst, report);
         report_naturalness(worst, report);
@@ -127,8 +133,8 @@ private:
         const WebAtRest& plain = draft.plain();
         const Lettering& lettering = written.lettering;
         const Bitmap dilated = dilate(lettering.coverage, kDilation);
-        const WebChange change = mode_->write({plain, lettering.page, lettering.coverage, dilated, plain.mesh_width,
-                                               lettering.blur, settings, *random_});
+        const WebChange change = mode_->write({plain, lettering.page, lettering.coverage, dilated,
+                                               plain.mesh_width, lettering.blur, settings, *random_});
         const WebAtRest& changed = draft.changed(change);
         written.naturalness = compare(plain, change, changed);
         written.at_rest = measure_legibility(changed.points, changed.segments, lettering);
@@ -144,6 +150,8 @@ private:
     }
 
     static void report_legibility(const Written& web, ModuleReport& report) {
+        report_place(web.lettering, report);
+        report.measure("blur_m", web.lettering.blur);
         report.measure("iou", web.at_rest.iou);
         report.measure("iou_plain", web.plain.iou);
         report.measure("ssim", web.at_rest.ssim);
@@ -153,6 +161,21 @@ private:
         if (web.watched == 0) return;
         report.measure("iou_swaying_mean", web.iou_sum / static_cast<double>(web.watched));
         report.measure("iou_swaying_least", web.iou_least);
+    }
+
+    /// Of each block, in the web's plane.
+    static void report_place(const Lettering& lettering, ModuleReport& report) {
+        const Page& page = lettering.page;
+        for (std::size_t i = 0; i < lettering.blocks.size(); ++i) {
+            const Box& block = lettering.blocks[i];
+            const Vec3 low = page.point({static_cast<double>(block.left), static_cast<double>(block.bottom)});
+            const Vec3 high = page.point({static_cast<double>(block.right), static_cast<double>(block.top)});
+            const std::string name = fmt::format("block_{}_", i + 1);
+            report.measure(name + "left_m", dot(low, page.right));
+            report.measure(name + "bottom_m", dot(low, page.up));
+            report.measure(name + "right_m", dot(high, page.right));
+            report.measure(name + "top_m", dot(high, page.up));
+        }
     }
 
     static void report_naturalness(const Written& web, ModuleReport& report) {

@@ -11,35 +11,29 @@ namespace orbweaver::inscription {
 
 namespace {
 
-struct Box {
-    std::uint32_t left, top, width, height;
-};
+constexpr double kReach = 4;  ///< deviations, of a Gaussian
 
-Box dark_box(const Bitmap& coverage, double grown) {
-    std::uint32_t left = coverage.width, top = coverage.height, right = 0, bottom = 0;
-    for (std::uint32_t y = 0; y < coverage.height; ++y)
-        for (std::uint32_t x = 0; x < coverage.width; ++x) {
-            if (coverage.row(y)[x] == 0) continue;
-            left = std::min(left, x);
-            right = std::max(right, x + 1);
-            top = std::min(top, y);
-            bottom = std::max(bottom, y + 1);
-        }
-    if (right == 0) return {0, 0, 0, 0};
-    const auto by = static_cast<std::uint32_t>(std::ceil(grown));
-    left -= std::min(left, by);
-    top -= std::min(top, by);
-    right = std::min(right + by, coverage.width);
-    bottom = std::min(bottom + by, coverage.height);
-    return {left, top, right - left, bottom - top};
+Box grown(Box box, double by, std::uint32_t side) {
+    const auto more = static_cast<std::uint32_t>(std::ceil(by));
+    return {box.left - std::min(box.left, more), box.top - std::min(box.top, more),
+            std::min(box.right + more, side), std::min(box.bottom + more, side)};
 }
 
 template <class T>
 Raster<float> cut_out(const Raster<T>& from, const Box& box) {
-    Raster<float> out(box.width, box.height);
-    for (std::uint32_t y = 0; y < box.height; ++y)
-        std::copy_n(from.row(box.top + y) + box.left, box.width, out.row(y));
+    Raster<float> out(box.right - box.left, box.bottom - box.top);
+    for (std::uint32_t y = 0; y < out.height; ++y)
+        std::copy_n(from.row(box.top + y) + box.left, out.width, out.row(y));
     return out;
+}
+
+/// What a box shows once all is blurred: of what lies beside it too.
+template <class T>
+Shades blurred_within(const Raster<T>& picture, const Box& box, double blur) {
+    const auto side = picture.width;
+    const Box wide = grown(box, kReach * blur, side);
+    const Box within{box.left - wide.left, box.top - wide.top, box.right - wide.left, box.bottom - wide.top};
+    return cut_out(low_pass(cut_out(picture, wide), blur), within);
 }
 
 /// From 0 to 1; all 0 where nothing differs.
@@ -49,30 +43,33 @@ void stretch(Shades& shades) {
     for (float& value : shades.values) value = range > 0 ? (value - from) / range : 0;
 }
 
-/// Silk per area in what is dark over that in the rest.
-double contrast_of(const Shades& ink, const Shades& coverage) {
-    double inside = 0, beside = 0, dark = 0;
-    for (std::size_t i = 0; i < ink.values.size(); ++i) {
-        const double here = ink.values[i], share = coverage.values[i];
-        inside += share * here;
-        beside += (1 - share) * here;
-        dark += share;
-    }
-    const double bright = static_cast<double>(ink.values.size()) - dark;
-    return dark > 0 && bright > 0 && beside > 0 ? (inside / dark) / (beside / bright) : 1;
-}
+/// Sums over all blocks.
+struct Account {
+    double inside = 0, beside = 0, dark = 0, bright = 0;  ///< silk and pixels
+    std::size_t both = 0, either = 0;                     ///< pixels that are dark in both pictures, and in any
+    double ssim = 0, pixels = 0;
 
-double iou_of(const Shades& picture, const Shades& coverage) {
-    const auto threshold = otsu_threshold(picture);
-    if (!threshold) return 0;
-    std::size_t both = 0, either = 0;
-    for (std::size_t i = 0; i < picture.values.size(); ++i) {
-        const bool seen = picture.values[i] >= *threshold, asked = coverage.values[i] > 0;
-        both += seen && asked ? 1 : 0;
-        either += seen || asked ? 1 : 0;
+    void add_silk(const Shades& ink, const Shades& coverage) {
+        for (std::size_t i = 0; i < ink.values.size(); ++i) {
+            const double here = ink.values[i], share = coverage.values[i];
+            inside += share * here;
+            beside += (1 - share) * here;
+            dark += share;
+            bright += 1 - share;
+        }
     }
-    return either > 0 ? static_cast<double>(both) / static_cast<double>(either) : 0;
-}
+    void add_overlap(const Shades& picture, const Shades& coverage) {
+        const double threshold = otsu_threshold(picture).value_or(2);
+        for (std::size_t i = 0; i < picture.values.size(); ++i) {
+            const bool seen = picture.values[i] >= threshold, asked = coverage.values[i] > 0;
+            both += seen && asked ? 1 : 0;
+            either += seen || asked ? 1 : 0;
+        }
+    }
+    double contrast() const {
+        return dark > 0 && bright > 0 && beside > 0 ? (inside / dark) / (beside / bright) : 1;
+    }
+};
 
 Shades product(const Shades& a, const Shades& b) {
     Shades out(a.width, a.height);
@@ -80,7 +77,8 @@ Shades product(const Shades& a, const Shades& b) {
     return out;
 }
 
-double ssim_of(const Shades& a, const Shades& b, double window) {
+/// Summed over all pixels.
+double ssim_sum(const Shades& a, const Shades& b, double window) {
     constexpr double kMeans = 0.01 * 0.01, kVariances = 0.03 * 0.03;
     const Shades mean_a = low_pass(a, window), mean_b = low_pass(b, window);
     const Shades square_a = low_pass(product(a, a), window), square_b = low_pass(product(b, b), window);
@@ -93,7 +91,7 @@ double ssim_of(const Shades& a, const Shades& b, double window) {
         sum += (2 * ma * mb + kMeans) * (2 * covariance + kVariances) /
                ((ma * ma + mb * mb + kMeans) * (variances + kVariances));
     }
-    return sum / static_cast<double>(a.values.size());
+    return sum;
 }
 
 }  // namespace
@@ -101,22 +99,29 @@ double ssim_of(const Shades& a, const Shades& b, double window) {
 Legibility measure_legibility(std::span<const Vec3> points, std::span<const ThreadSegment> segments,
                               const Lettering& lettering) {
     const double blur = lettering.blur / lettering.page.pixel;
-    const Box box = dark_box(lettering.coverage, blur);
-    if (box.width == 0) return {};
-    // What lies beyond the box shows in it, blurred.
-    const Shades all = ink(points, segments, lettering.page);
-    Legibility found;
-    const Shades asked = cut_out(lettering.coverage, box);
-    found.contrast = contrast_of(cut_out(all, box), asked);
-    Shades picture = cut_out(low_pass(all, blur), box);
-    if (found.contrast < 1)
-        for (float& value : picture.values) value = -value;
-    stretch(picture);
-    found.iou = iou_of(picture, asked);
-    Shades wanted = cut_out(low_pass(cut_out(lettering.coverage, {0, 0, all.width, all.height}), blur), box);
-    stretch(wanted);
-    found.ssim = ssim_of(picture, wanted, blur);
-    return found;
+    const std::uint32_t side = lettering.page.side;
+    const Shades seen = ink(points, segments, lettering.page);
+    std::vector<Box> boxes;
+    Account account;
+    for (const Box& block : lettering.blocks) {
+        boxes.push_back(grown(block, blur, side));
+        account.add_silk(cut_out(seen, boxes.back()), cut_out(lettering.coverage, boxes.back()));
+    }
+    const float sign = account.contrast() < 1 ? -1 : 1;
+    for (const Box& box : boxes) {
+        Shades picture = blurred_within(seen, box, blur),
+               wanted = blurred_within(lettering.coverage, box, blur);
+        for (float& value : picture.values) value *= sign;
+        stretch(picture);
+        stretch(wanted);
+        account.add_overlap(picture, cut_out(lettering.coverage, box));
+        account.ssim += ssim_sum(picture, wanted, blur);
+        account.pixels += static_cast<double>(picture.values.size());
+    }
+    if (account.pixels == 0) return {};
+    const double either = static_cast<double>(account.either);
+    return {either > 0 ? static_cast<double>(account.both) / either : 0, account.ssim / account.pixels,
+            account.contrast()};
 }
 
 }  // namespace orbweaver::inscription

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "box.hpp"
 #include "orbweaver/contracts/threads.hpp"
 #include "page.hpp"
 #include "raster.hpp"
@@ -19,14 +21,15 @@ struct Legibility {
 struct Lettering {
     Page page;
     Bitmap coverage;
-    double blur = 0;  ///< m, standard deviation of the Gaussian through which a distant viewer sees
+    std::vector<Box> blocks;  ///< of what is dark, one or two
+    double blur = 0;          ///< m, standard deviation of the Gaussian through which a distant viewer sees
 };
 
-/// Measures within the box of all that is dark in the coverage, grown by the blur to each side.
+/// Measures within the blocks, grown by the blur to each side.
 ///
-/// The picture is the web's ink, blurred; where its contrast is below 1, its negative. For `iou` it is parted in
-/// two by Otsu's threshold within the box. For `ssim` the picture and the coverage, blurred as well, are each
-/// stretched from 0 to 1 within the box; windows are Gaussians of the blur's width, with the usual constants
+/// The picture is the web's ink, blurred; where its contrast is below 1, its negative. For `iou` it is parted
+/// in two by Otsu's threshold, block by block. For `ssim` the picture and the coverage, blurred as well, are
+/// each stretched from 0 to 1 in a block; windows are Gaussians of the blur's width, with the usual constants
 /// 0.01^2 and 0.03^2.
 Legibility measure_legibility(std::span<const Vec3> points, std::span<const ThreadSegment> segments,
                               const Lettering& lettering);

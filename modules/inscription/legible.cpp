@@ -1,18 +1,20 @@
 // Legible writing: which threads are thickened, added and taken is found by an optimisation.
 //
-// Let u be what a viewer sees: silk per area, blurred by a Gaussian G of one mesh or so. It is linear in how much
-// silk x_j is given to each candidate j, u(x) = G (rho + A x), where rho is the plain web's ink and column j of A the
-// candidate's. With m = G coverage and a tone t, the picture sought leaves the web alone beside letters and has one
-// tone within them, u* = (1 - m) G rho + m t, and x minimises the convex
+// Let u be what a viewer sees: silk per area, blurred by a Gaussian G of one mesh or so. It is linear in how
+// much silk x_j is given to each candidate j, u(x) = G (rho + A x), where rho is the plain web's ink and column
+// j of A the candidate's. With m = G coverage, the picture sought leaves the web alone beside letters and has a
+// tone t within them, u* = (1 - m) G rho + m t: so many times what the web has there on average, or around
+// there where that is more, as the thickest threads are thicker. Then x minimises the convex
 //
 //     1/2 |u(x) - u*|^2 + price * sum_j s_j |x_j|,   low_j <= x_j <= high_j,
 //
-// s_j the candidate's silk. The price is the least at which the silk that changes stays within the loss allowed; so
-// a candidate has silk exactly where that serves the picture more than its price. Candidates are parts of spiral
-// threads and radii within letters (0 <= x <= width - 1: thickened), threads between neighboring radii within letters where
-// there is none (0 <= x <= width: added), and spiral threads (-1 <= x <= 0: taken). The minimum is found by accelerated
-// proximal gradients (Beck and Teboulle 2009) with the diagonal of De Pierro's surrogate, D = (GA)^T (GA) 1, for
-// step sizes, restarted where they overshoot (O'Donoghue and Candes 2015).
+// s_j the candidate's silk. The price is the least at which the silk that changes stays within the loss
+// allowed; so a candidate has silk exactly where that serves the picture more than its price. Candidates are
+// parts of spiral threads and radii within letters (0 <= x <= width - 1: thickened), threads between
+// neighboring radii within letters where there is none (0 <= x <= width: added), and spiral threads (-1 <= x <=
+// 0: taken). The minimum is found by accelerated proximal gradients (Beck and Teboulle 2009) with the diagonal
+// of De Pierro's surrogate, D = (GA)^T (GA) 1, for step sizes, restarted where they overshoot (O'Donoghue and
+// Candes 2015).
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +31,8 @@ namespace orbweaver::inscription {
 
 namespace {
 
-constexpr double kBlurPixels = 2;     ///< of the raster that is optimised on, in a standard deviation of the blur
+constexpr double kBlurPixels = 2;  ///< of the raster that is optimised on, in a standard deviation of the blur
+constexpr double kAround = 4;      ///< blurs: how far around is looked for the web's own tone
 constexpr double kFinestSide = 1000;  ///< pixels of that raster
 constexpr double kLeastPrice = 0.05;  ///< of the tone: less than that is not worth a thread
 constexpr int kSteps = 60;            ///< of the descent, from nothing
@@ -40,11 +43,11 @@ constexpr double kTrifle = 0.15;      ///< threads are not thickened or added by
 /// Something that may be given silk.
 struct Candidate {
     enum class Kind { thicken, add, take } kind;
-    std::uint32_t thread;     ///< itself, or of its sort
-    Part part;                ///< of it, that is thickened
+    std::uint32_t thread;        ///< itself, or of its sort
+    Part part;                   ///< of it, that is thickened
     std::uint32_t a = 0, b = 0;  ///< points that an added one joins
-    double low, high;         ///< of its x
-    double silk = 0;          ///< s_j: pixels
+    double low, high;            ///< of its x
+    double silk = 0;             ///< s_j: pixels
 };
 
 class Optimisation {
@@ -72,7 +75,8 @@ private:
     static Page coarse_page(const Writing& writing) {
         const double extent = writing.page.pixel * writing.page.side;
         const double side = std::clamp(std::ceil(kBlurPixels * extent / writing.blur), 16.0, kFinestSide);
-        return {writing.page.middle, writing.page.right, writing.page.up, extent / side, static_cast<std::uint32_t>(side)};
+        return {writing.page.middle, writing.page.right, writing.page.up, extent / side,
+                static_cast<std::uint32_t>(side)};
     }
 
     /// What u(x) - G rho should be.
@@ -82,8 +86,9 @@ private:
         for (std::uint32_t y = 0; y < writing_.page.side; ++y)
             for (std::uint32_t x = 0; x < writing_.page.side; ++x)
                 if (writing_.coverage.row(y)[x] != 0)
-                    coverage.row(static_cast<std::uint32_t>((y + 0.5) * shrink))[static_cast<std::uint32_t>(
-                        (x + 0.5) * shrink)] += static_cast<float>(shrink * shrink);
+                    coverage.row(static_cast<std::uint32_t>(
+                        (y + 0.5) * shrink))[static_cast<std::uint32_t>((x + 0.5) * shrink)] +=
+                        static_cast<float>(shrink * shrink);
         const Shades m = low_pass(coverage, blur_);
         double silk = 0, area = 0;
         for (std::size_t i = 0; i < m.values.size(); ++i) {
@@ -91,9 +96,13 @@ private:
             area += m.values[i];
         }
         tone_ = area > 0 ? writing_.settings.width * silk / area : 0;
+        const Shades around = low_pass(seen_, kAround * blur_);
+        const auto times = static_cast<float>(writing_.settings.width);
         goal_ = Shades(page_.side, page_.side);
         for (std::size_t i = 0; i < m.values.size(); ++i)
-            goal_.values[i] = m.values[i] * std::max(static_cast<float>(tone_) - seen_.values[i], 0.0F);
+            goal_.values[i] =
+                m.values[i] *
+                std::max(std::max(static_cast<float>(tone_), times * around.values[i]) - seen_.values[i], 0.0F);
     }
 
     Spot spot(std::uint32_t point) const { return page_.spot(writing_.web.points[point]); }
@@ -101,9 +110,10 @@ private:
     void add_candidate(Candidate candidate, const Spot& a, const Spot& b, double width) {
         const double length = std::hypot(b.x - a.x, b.y - a.y) * width;
         candidate.silk = length;
-        cut_at_pixels(page_.side, page_.side, a, b, [&](std::uint32_t x, std::uint32_t y, double from, double to) {
-            pixels_.push_back({y * page_.side + x, static_cast<float>((to - from) * length)});
-        });
+        cut_at_pixels(page_.side, page_.side, a, b,
+                      [&](std::uint32_t x, std::uint32_t y, double from, double to) {
+                          pixels_.push_back({y * page_.side + x, static_cast<float>((to - from) * length)});
+                      });
         candidates_.push_back(candidate);
         ends_.push_back(pixels_.size());
     }
@@ -140,8 +150,8 @@ private:
         return next;
     }
 
-    /// Threads between the points of neighboring radii that the spiral leaves bare, from each turn outward to the
-    /// next.
+    /// Threads between the points of neighboring radii that the spiral leaves bare, from each turn outward to
+    /// the next.
     void find_gaps() {
         const WebAtRest& web = writing_.web;
         const std::vector<std::uint32_t> next = next_outward();
@@ -168,7 +178,8 @@ private:
     void find_takings() {
         for (const std::uint32_t i : threads_of(writing_.web, "spiral")) {
             const ThreadSegment& thread = writing_.web.segments[i];
-            add_candidate({Candidate::Kind::take, i, {}, 0, 0, -1, 0, 0}, spot(thread.a), spot(thread.b), thread.width);
+            add_candidate({Candidate::Kind::take, i, {}, 0, 0, -1, 0, 0}, spot(thread.a), spot(thread.b),
+                          thread.width);
         }
     }
 
@@ -270,10 +281,10 @@ private:
 
     const Writing& writing_;
     Page page_;
-    double blur_;        // pixels of page_
+    double blur_;                                                            // pixels of page_
     double shortest_ = kShortestPart * writing_.mesh / writing_.page.pixel;  // pixels of the writing's page
-    Shades seen_;        // G rho
-    Shades goal_;        // u* - G rho
+    Shades seen_;                                                            // G rho
+    Shades goal_;                                                            // u* - G rho
     double tone_ = 0;
     double all_silk_ = 0;
     std::vector<Candidate> candidates_;

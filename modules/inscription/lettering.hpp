@@ -14,9 +14,10 @@ struct WhereToWrite {
     std::optional<Spot> position;  ///< m right of and above the hub, of the target's middle
     std::optional<double> size;    ///< m, the target's width
     bool best_place = false;       ///< where neither is said: where words become largest, beside the hub
-    std::size_t lines = 1;         ///< of text, among which the hub may come to lie
-    std::uint32_t side = 600;      ///< pixels of the page (the thesis's)
-    double blur = 1;               ///< meshes
+    double most_ink = 0;       ///< in best_place: silk in letters as they were before, over the web's, at most
+    std::size_t lines = 1;     ///< of text, among which the hub may come to lie
+    std::uint32_t side = 600;  ///< pixels of the page (the thesis's)
+    double blur = 1;           ///< meshes, standard deviation
 };
 
 /// The target as it lies on a web at rest: as large as the page and in its middle unless said otherwise. Throws

@@ -44,10 +44,10 @@ std::span<const Mode> modes() noexcept;
 /// Null where there is none of that name.
 const Mode* find_mode(std::string_view name) noexcept;
 
-WebChange remove_matches(const Writing& writing);     ///< see removal.cpp
-WebChange crosshatch(const Writing& writing);         ///< see crosshatch.cpp
-WebChange attach_at_random(const Writing& writing);   ///< see random_attachments.cpp
+WebChange remove_matches(const Writing& writing);      ///< see removal.cpp
+WebChange crosshatch(const Writing& writing);          ///< see crosshatch.cpp
+WebChange attach_at_random(const Writing& writing);    ///< see random_attachments.cpp
 WebChange strengthen_outline(const Writing& writing);  ///< see outline.cpp
-WebChange write_legibly(const Writing& writing);      ///< see legible.cpp
+WebChange write_legibly(const Writing& writing);       ///< see legible.cpp
 
 }  // namespace orbweaver::inscription

@@ -10,7 +10,8 @@ namespace {
 constexpr std::array kModes = {
     Mode{"legible", "silk is thickened, added and taken where that serves legibility most", write_legibly},
     Mode{"removal", "the thesis: spiral segments that match the target are taken", remove_matches},
-    Mode{"crosshatch", "the thesis: masses are joined to two more along the spiral where that matches", crosshatch},
+    Mode{"crosshatch", "the thesis: masses are joined to two more along the spiral where that matches",
+         crosshatch},
     Mode{"random_attachments", "the thesis: removal, and darker threads at random within the letters",
          attach_at_random},
     Mode{"outline", "the thesis: removal, and denser threads around the letters", strengthen_outline},
@@ -22,7 +23,8 @@ constexpr std::array kModes = {
 std::span<const Mode> modes() noexcept { return kModes; }
 
 const Mode* find_mode(std::string_view name) noexcept {
-    const auto found = std::find_if(kModes.begin(), kModes.end(), [&](const Mode& mode) { return mode.name == name; });
+    const auto found =
+        std::find_if(kModes.begin(), kModes.end(), [&](const Mode& mode) { return mode.name == name; });
     return found == kModes.end() ? nullptr : &*found;
 }
 

@@ -36,7 +36,8 @@ double largest(std::span<const double> values) {
 }
 
 std::size_t count_slack(std::span<const double> tension, double below) {
-    return static_cast<std::size_t>(std::count_if(tension.begin(), tension.end(), [&](double t) { return t < below; }));
+    return static_cast<std::size_t>(
+        std::count_if(tension.begin(), tension.end(), [&](double t) { return t < below; }));
 }
 
 /// Threads that stay whole come first and in their order, those thickened cut in place.
@@ -48,8 +49,8 @@ double largest_change(const WebAtRest& plain, const WebChange& change, const Web
     std::size_t at = 0;
     for (std::size_t i = 0; i < plain.segments.size(); ++i) {
         if (touched[i] != 0) continue;
-        while (at < changed.segments.size() && (changed.segments[at].a != plain.segments[i].a ||
-                                                changed.segments[at].b != plain.segments[i].b))
+        while (at < changed.segments.size() &&
+               (changed.segments[at].a != plain.segments[i].a || changed.segments[at].b != plain.segments[i].b))
             ++at;
         if (at == changed.segments.size()) break;
         most = std::max(most, std::abs(changed.tension[at++] - plain.tension[i]));
@@ -81,7 +82,8 @@ Naturalness compare(const WebAtRest& plain, const WebChange& change, const WebAt
     const double before = largest(plain.tension), slack = -kSlack * before;
     if (before > 0) found.max_tension_ratio = largest(changed.tension) / before;
     found.tension_change = largest_change(plain, change, changed);
-    const std::size_t was_slack = count_slack(plain.tension, slack), is_slack = count_slack(changed.tension, slack);
+    const std::size_t was_slack = count_slack(plain.tension, slack),
+                      is_slack = count_slack(changed.tension, slack);
     found.new_slack = is_slack - std::min(is_slack, was_slack);
     for (std::size_t i = 0; i < plain.points.size(); ++i)
         found.mean_shift += distance(plain.points[i], changed.points[i]);

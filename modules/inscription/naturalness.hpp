@@ -19,8 +19,8 @@ struct Naturalness {
 /// What differs between a web at rest before and after a change. Points of the plain web keep their places.
 Naturalness compare(const WebAtRest& plain, const WebChange& change, const WebAtRest& changed);
 
-/// m, between neighboring turns of the spiral: along each radius, from each of its points that spiral threads end
-/// at to the next; sorted.
+/// m, between neighboring turns of the spiral: along each radius, from each of its points that spiral threads
+/// end at to the next; sorted.
 std::vector<double> spacings(const WebAtRest& web);
 
 /// The largest difference between two distribution functions (Kolmogorov and Smirnov), of sorted samples.

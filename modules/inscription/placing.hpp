@@ -3,23 +3,16 @@
 #include <optional>
 #include <vector>
 
+#include "box.hpp"
 #include "page.hpp"
 #include "raster.hpp"
 #include "target.hpp"
 
 namespace orbweaver::inscription {
 
-/// A part of a target: columns from left to before right, rows from top to before bottom.
-struct Block {
-    std::uint32_t left = 0, top = 0, right = 0, bottom = 0;
-
-    double width() const noexcept { return static_cast<double>(right) - left; }
-    double height() const noexcept { return static_cast<double>(bottom) - top; }
-};
-
 /// Where a block comes to lie on a page.
 struct Placement {
-    Block block;
+    Box block;         ///< of the target
     Spot middle;       ///< of the block, pixels of the page
     double scale = 1;  ///< pixels of the page that a pixel of the target takes
 };
@@ -27,18 +20,23 @@ struct Placement {
 /// The whole target, its middle at `middle` and `width` pixels of the page wide.
 Placement whole(const Target& target, const Spot& middle, double width);
 
-/// What is dark on a page of side x side pixels where blocks of a target lie as said: each pixel is as the target
-/// is at its middle.
+/// What is dark on a page of side x side pixels where blocks of a target lie as said: each pixel is as the
+/// target is at its middle.
 Bitmap place(const Target& target, const std::vector<Placement>& placements, std::uint32_t side);
 
-/// The blocks of `lines` lines of text, as close as what is dark in them: the upper half of the lines (the larger
-/// half), and the others. One block where there is one line, or where no blank rows part them.
-std::vector<Block> blocks_of(const Target& target, std::size_t lines);
+/// Where that block lies on a page, cut at its edges.
+Box box_of(const Placement& placed, std::uint32_t side);
 
-/// Places one block, or one above and one below the hub's row, as large as fits: the largest scale, the same for
-/// both, at which all but 0.5 % of what is dark lies on pixels that are `writable`, and of the places where it
-/// does, the one deepest inside. Nothing where they do not fit at a scale of `least`.
-std::optional<std::vector<Placement>> best_placements(const Target& target, const std::vector<Block>& blocks,
-                                                      const Bitmap& writable, const Spot& hub, double least);
+/// The blocks of `lines` lines of text, as close as what is dark in them: the upper half of the lines (the
+/// larger half), and the others. One block where there is one line, or where no blank rows part them.
+std::vector<Box> blocks_of(const Target& target, std::size_t lines);
+
+/// Places one block, or one above and one below the hub's row, as large as fits: the largest scale, the same
+/// for both and not above `most`, at which all but 0.5 % of what is dark lies on pixels that are `writable`; of
+/// the places where it does, the nearest to the hub's column, and there the deepest inside. Nothing where they
+/// do not fit at a scale of `least`.
+std::optional<std::vector<Placement>> best_placements(const Target& target, const std::vector<Box>& blocks,
+                                                      const Bitmap& writable, const Spot& hub, double least,
+                                                      double most);
 
 }  // namespace orbweaver::inscription

@@ -12,7 +12,7 @@ namespace orbweaver::inscription {
 
 namespace {
 
-constexpr double kReach = 3;          ///< meshes, the longest thread that is attached
+constexpr double kReach = 3;         ///< meshes, the longest thread that is attached
 constexpr std::size_t kTries = 200;  ///< for each thread sought, at most
 
 std::vector<std::uint32_t> points_within(const Writing& writing) {
@@ -41,14 +41,15 @@ WebChange attach_at_random(const Writing& writing) {
         static_cast<std::size_t>(writing.settings.attachments * static_cast<double>(change.removed.size()));
     std::uint64_t draws = 0;
     const auto any_of = [&](const std::vector<std::uint32_t>& list) {
-        return list[static_cast<std::size_t>(writing.random.uniform(draws++) * static_cast<double>(list.size()))];
+        return list[static_cast<std::size_t>(writing.random.uniform(draws++) *
+                                             static_cast<double>(list.size()))];
     };
     for (std::size_t tries = 0; change.added.size() < sought && tries < kTries * sought; ++tries) {
         const std::uint32_t a = any_of(within), b = any_of(within);
         const double length = distance(web.points[a], web.points[b]);
         if (!(length > 0) || length > kReach * writing.mesh) continue;
-        const int score =
-            match_score(source, writing.dilated, writing.page.spot(web.points[a]), writing.page.spot(web.points[b]));
+        const int score = match_score(source, writing.dilated, writing.page.spot(web.points[a]),
+                                      writing.page.spot(web.points[b]));
         if (score > writing.settings.score_threshold && joined.insert(std::minmax(a, b)).second)
             change.added.push_back({a, b, any_of(change.removed), writing.settings.width});
     }

@@ -17,14 +17,15 @@ std::vector<Part> dark_parts(const Bitmap& bitmap, const Spot& a, const Spot& b,
         if (part.to > 1 - least) part.to = 1;
         return part;
     };
-    cut_at_pixels(bitmap.width, bitmap.height, a, b, [&](std::uint32_t x, std::uint32_t y, double from, double to) {
-        if (bitmap.row(y)[x] == 0) return;
-        dark += to - from;
-        if (!parts.empty() && from - parts.back().to < least)
-            parts.back().to = to;
-        else
-            parts.push_back({from, to});
-    });
+    cut_at_pixels(bitmap.width, bitmap.height, a, b,
+                  [&](std::uint32_t x, std::uint32_t y, double from, double to) {
+                      if (bitmap.row(y)[x] == 0) return;
+                      dark += to - from;
+                      if (!parts.empty() && from - parts.back().to < least)
+                          parts.back().to = to;
+                      else
+                          parts.push_back({from, to});
+                  });
     if (1 < 2 * least) {
         if (dark >= 0.5) return {{0, 1}};
         return {};

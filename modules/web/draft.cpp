@@ -49,14 +49,10 @@ void Draft::bring_to_rest(Form& form) const {
     form.tension.clear();
     for (const mass_spring::Spring& spring : form.web.network.springs)
         form.tension.push_back(mass_spring::tension(spring, layout.positions));
-    form.seen = {layout.positions,
-                 form.segments,
-                 form.tension,
-                 kKindNames,
-                 layout.center,
-                 layout.plane.across,
-                 layout.plane.up,
-                 measure_orb(layout, layout.positions).mesh_width,
+    form.seen = {layout.positions, form.segments,
+                 form.tension,     kKindNames,
+                 layout.center,    layout.plane.across,
+                 layout.plane.up,  measure_orb(layout, layout.positions).mesh_width,
                  found.residual};
 }
 

@@ -57,7 +57,8 @@ protected:
     ~WebDraft() = default;
 };
 
-/// Whoever writes in webs. A web asks once, before time starts, and is from then on as its draft was changed last.
+/// Whoever writes in webs. A web asks once, before time starts, and is from then on as its draft was changed
+/// last.
 class Inscriber {
 public:
     static constexpr const char* kContract = "inscriber/1";
