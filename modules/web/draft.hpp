@@ -32,7 +32,7 @@ public:
     const WebAtRest& plain() const noexcept override { return plain_.seen; }
     const WebAtRest& changed(const WebChange& change) override;
     /// The web as it was changed last, or the plain one.
-    Web& web() noexcept { return is_changed_ ? changed_.web : plain_.web; }
+    const Web& web() const noexcept { return is_changed_ ? changed_.web : plain_.web; }
 
 private:
     struct Form {

@@ -164,9 +164,10 @@ private:
     }
 
     void inscribe(Inscriber& inscriber, const Settling& settling) {
-        Draft draft(std::move(web_), settling);
-        inscriber.inscribe(draft, *this);
-        web_ = std::move(draft.web());
+        auto draft = std::make_unique<Draft>(std::move(web_), settling);
+        inscriber.inscribe(*draft, *this);
+        web_ = draft->web();
+        if (inscriber.keeps_draft()) draft_ = std::move(draft);
     }
 
     void settle(Host& host, const Settling& settling) {
@@ -235,6 +236,7 @@ private:
     }
 
     Web web_;
+    std::unique_ptr<Draft> draft_;  // of a web whose ways of writing are studied
     std::vector<ThreadSegment> segments_;
     std::span<Vec3> position_;                // state, m
     std::span<Vec3> velocity_;                // state, m/s

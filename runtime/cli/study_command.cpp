@@ -8,7 +8,8 @@ namespace {
 
 constexpr const char* kMeaning =
     "study how wrong a scene's methods of integration are against what they cost (accuracy), where they hold "
-    "(stability), or the same of ways to ask its surface (queries) or to bring limbs to targets (ik)";
+    "(stability), or the same of ways to ask its surface (queries), to bring limbs to targets (ik) or to write "
+    "in its web (inscription)";
 
 constexpr const char* kHelp = R"(
 accuracy   runs every method over a ladder of steps or tolerances, against a reference that a second method
@@ -28,6 +29,10 @@ ik         has the limbs of a scene's creatures, or of a species by its name, re
            there is, over tolerances and over steps: feet on their loops, and places anywhere within reach. Leaves ik.csv
            (targets,way,setting,asked,missed,invented,error,median_error,cost_s), ik.json, ik.svg and index.html in DIR.
            --method names a way.
+inscription  writes in the scene's web by every mode: on rasters of several sizes, against time; and against what is
+           lost of the web's nature. Where it is text and tesseract is installed, has it read from the view's own
+           pictures, at rest and in the scene's wind. Leaves inscription.csv, trade.csv, readings.csv,
+           inscription.json, inscription.svg, trade.svg and index.html in DIR. --method names a mode.
 
 An axis is any option of the scene, PATH=LOW..HIGH:COUNT, such as web.step=10us..20ms:16 or web.drag=0..1e-6:11:lin,
 or a list, PATH=A,B,..., such as web.prestress=force_density,over_extension; without --axis the step and the module's
@@ -45,9 +50,9 @@ bool is_span(const std::string& text) {
 
 StudyCommand::StudyCommand(CLI::App& app) : command_(app.add_subcommand("study", kMeaning)) {
     command_->footer(kHelp);
-    command_->add_option("KIND", kind_, "accuracy, stability, queries or ik")
+    command_->add_option("KIND", kind_, "accuracy, stability, queries, ik or inscription")
         ->required()
-        ->check(CLI::IsMember({"accuracy", "stability", "queries", "ik"}));
+        ->check(CLI::IsMember({"accuracy", "stability", "queries", "ik", "inscription"}));
     scene_.add_to(*command_, settings_.run);
     command_->add_option("--out", settings_.out, "folder for the results; it is made")
         ->required()
@@ -72,7 +77,7 @@ StudyCommand::StudyCommand(CLI::App& app) : command_(app.add_subcommand("study",
                         "200 values"));
     repeats_ = command_
                    ->add_option("--repeats", settings_.repeats,
-                                "accuracy, queries, ik: timed runs, the median of which counts")
+                                "all but stability: timed runs, the median of which counts")
                    ->check(CLI::Range(1, 99))
                    ->capture_default_str();
     command_->add_option("--time", time_, "most wall clock time for all of it; refinement stops there (5 min)")
@@ -93,6 +98,8 @@ void StudyCommand::complete() {
         throw CLI::ValidationError("--references", "queries are held against every triangle");
     if (kind_ == "ik" && references_->count() > 0)
         throw CLI::ValidationError("--references", "limbs are held against their own geometry");
+    if (kind_ == "inscription" && references_->count() > 0)
+        throw CLI::ValidationError("--references", "what is written is held against its target");
     if (axes_.size() > 2) throw CLI::ValidationError("--axis", "a map has two; leave one out");
     if (axes_.size() == 2 && study::parse_axis(axes_[0])->path == study::parse_axis(axes_[1])->path)
         throw CLI::ValidationError(
@@ -113,6 +120,10 @@ int StudyCommand::run() const {
     }
     if (kind_ == "ik") {
         study::run_reaches(settings_);
+        return 0;
+    }
+    if (kind_ == "inscription") {
+        study::run_writings(settings_);
         return 0;
     }
     std::vector<study::AxisText> axes;

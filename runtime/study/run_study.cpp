@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
+#include "orbweaver/contracts/wind_field.hpp"
+#include "orbweaver/contracts/writing_ways.hpp"
 #include "orbweaver/fault.hpp"
 #include "run/interrupt.hpp"
 #include "run/session.hpp"
@@ -17,12 +20,16 @@
 #include "study/study_files.hpp"
 #include "study/trial.hpp"
 #include "study/ways_files.hpp"
+#include "study/writings_files.hpp"
 
 namespace orbweaver::study {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kUsualSway = 2;  ///< s for which a web that was written in sways
+constexpr int kSwayingLooks = 4;  ///< while it does
 
 bool contains(const std::vector<std::string>& all, const std::string& one) {
     return std::find(all.begin(), all.end(), one) != all.end();
@@ -98,6 +105,15 @@ RunSettings scene_of_name(RunSettings run) {
     return run;
 }
 
+/// At rest, and while wind blows.
+std::vector<double> times_of(const Session& session, bool full_duration) {
+    std::vector<double> times{0};
+    if (session.find<WindField>() == nullptr) return times;
+    const double duration = std::min(session.scene().duration, full_duration ? HUGE_VAL : kUsualSway);
+    for (int i = 1; i <= kSwayingLooks; ++i) times.push_back(duration * i / kSwayingLooks);
+    return times;
+}
+
 }  // namespace
 
 void run_accuracy(const StudySettings& settings) {
@@ -153,6 +169,25 @@ void run_reaches(const StudySettings& settings) {
         return study_reaches(settings, scene.session.scene().name, *offers.front(),
                              deadline_in(settings.time, interrupt));
     });
+}
+
+void run_writings(const StudySettings& settings) {
+    const Interrupt interrupt;
+    const OpenedScene scene(settings.run, WritingWays::kContract);
+    const Session& session = scene.session;
+    WritingWays* writing = session.find<WritingWays>();
+    if (writing == nullptr)
+        throw Fault(FaultKind::invalid,
+                    fmt::format("{}: nothing is written in it; expected a table [inscription]",
+                                settings.run.scene_path));
+    StudyFiles files(settings.out, {"inscription.csv", "trade.csv", "readings.csv", "inscription.json",
+                                    "inscription.svg", "trade.svg", "index.html"});
+    const WritingsResult result =
+        study_writings(settings, session.scene().name, *writing, times_of(session, settings.full_duration),
+                       deadline_in(settings.time, interrupt));
+    files.commit({ways_csv(result.ways), trade_csv(result), readings_csv(result), writings_json(result),
+                  ways_svg(result.ways), trade_svg(result), writings_page(result)});
+    print(result.ways.sentences, settings.out);
 }
 
 }  // namespace orbweaver::study

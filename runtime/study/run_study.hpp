@@ -15,5 +15,7 @@ void run_queries(const StudySettings& settings);
 /// Of a scene, or of a name: the scene assets/studies/ik.toml with that in place of what its module is called
 /// by.
 void run_reaches(const StudySettings& settings);
+/// `orbweaver study inscription SCENE`: see study_writings().
+void run_writings(const StudySettings& settings);
 
 }  // namespace orbweaver::study

@@ -65,6 +65,9 @@ public:
 
     /// `threads` is the web itself as it moves, to be looked at once time runs.
     virtual void inscribe(WebDraft& draft, const Threads& threads) = 0;
+    /// Whether the draft is to live as long as the web: who studies ways of writing goes on to change it, to no
+    /// effect on the web.
+    virtual bool keeps_draft() const noexcept = 0;
 
 protected:
     ~Inscriber() = default;

@@ -1,0 +1,218 @@
+#include "study/writings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+
+#include "orbweaver/fault.hpp"
+#include "study/reading.hpp"
+#include "study/subject.hpp"
+#include "study/web_pictures.hpp"
+
+namespace orbweaver::study {
+
+namespace {
+
+constexpr const char* kReading =
+    "Each mark is a way of writing the same in the same web: the time that it takes until the web is at rest "
+    "again, and "
+    "the share of target and what is read, together, in which both differ, at a viewer's distance. Every way "
+    "is judged "
+    "on one fine raster, whatever raster it worked on. Lower left is better. Of the ways of the thesis those "
+    "that take "
+    "silk are judged by their negative. Times are medians of processor time.";
+
+constexpr double kPixelsPerBlur = 6;  ///< of a photograph, in the deviation of the blur
+constexpr double kMargin = 1.5;       ///< blurs around a block
+
+using Effort = WritingWays::Effort;
+
+class WritingContest final : public Contest {
+public:
+    explicit WritingContest(WritingWays& of) : of_(of) {
+        for (const WritingWays::Named& way : of.ways()) ways_.push_back({way.name, way.meaning});
+        for (const std::uint32_t side : {75U, 150U, 300U, 600U, 1200U})
+            add(0, {side, {}}, fmt::format("{} pixels", side));
+        for (const double loss : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5})
+            add(1, {{}, loss}, fmt::format("loss {}", loss));
+        add(2, {}, "");
+    }
+
+    const std::vector<Named>& tasks() const override { return tasks_; }
+    const std::vector<Named>& ways() const override { return ways_; }
+    const std::vector<std::string>& settings(std::size_t tasks) const override { return settings_[tasks]; }
+    std::size_t count(std::size_t) const override { return 1; }
+    bool suits(std::size_t tasks, std::size_t way) const override { return tasks != 1 || of_.weighs_loss(way); }
+    void run(std::size_t tasks, std::size_t way, std::size_t setting) override {
+        last_ = of_.write(way, efforts_[tasks][setting]);
+    }
+    void judge(std::size_t tasks, std::size_t way, std::size_t setting, WayRow& row) override {
+        set_errors({1 - last_.iou}, row);
+        if (tasks > 0) trade.push_back({ways_[way].name, settings_[tasks][setting], last_});
+    }
+
+    std::vector<TradeRow> trade;
+
+private:
+    void add(std::size_t tasks, const Effort& effort, const std::string& text) {
+        efforts_[tasks].push_back(effort);
+        settings_[tasks].push_back(text);
+    }
+
+    WritingWays& of_;
+    std::vector<Named> tasks_ = {{"raster", "by the pixels of a side of the raster on which it is written"},
+                                 {"nature", "by the share of the web's silk that may change"},
+                                 {"as_it_is", "as the scene has it"}};
+    std::vector<Named> ways_;
+    std::vector<Effort> efforts_[3];
+    std::vector<std::string> settings_[3];
+    WritingWays::Outcome last_;
+};
+
+std::string in_one_line(std::string text) {
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
+    std::replace(text.begin(), text.end(), '\n', '/');
+    return text;
+}
+
+bool same_place(const std::vector<WritingWays::Block>& one, const std::vector<WritingWays::Block>& other) {
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](const auto& a, const auto& b) {
+        return a.middle == b.middle && a.right == b.right && a.up == b.up;
+    });
+}
+
+/// Has pictures of webs read.
+class Readings {
+public:
+    Readings(const StudySettings& settings, const Reader& reader, const WritingWays& writing,
+             const std::vector<double>& times)
+        : run_(settings.run), reader_(reader), writing_(writing), times_(times) {
+        run_.request.collects.clear();
+    }
+
+    /// Of one way, as it is and blurred, beside the same places of the web without inscription.
+    std::vector<ReadingRow> of(const TradeRow& written) {
+        RunSettings run = run_;
+        run.overrides.push_back(fmt::format("inscription.mode=\"{}\"", written.way));
+        const std::vector<BlockPictures> pictures = pictures_of(run, written.outcome.blocks);
+        if (!same_place(plain_blocks_, written.outcome.blocks)) {
+            RunSettings plain = run_;
+            plain.removals.push_back("inscription");
+            plain_blocks_ = written.outcome.blocks;
+            plain_ = pictures_of(plain, plain_blocks_);
+        }
+        const bool dark = written.outcome.contrast >= 1;
+        const std::size_t blocks = written.outcome.blocks.size();
+        std::vector<ReadingRow> rows;
+        for (const bool blurred : {false, true})
+            for (std::size_t i = 0; i < times_.size(); ++i) {
+                const std::string read = text_of(&pictures[i * blocks], blocks, blurred, dark);
+                const std::string plain = text_of(&plain_[i * blocks], blocks, blurred, dark);
+                rows.push_back({written.way, times_[i], blurred, in_one_line(read),
+                                character_error_rate(read, writing_.text()),
+                                character_error_rate(plain, writing_.text())});
+            }
+        return rows;
+    }
+
+private:
+    /// Time by time, block by block.
+    std::vector<BlockPictures> pictures_of(const RunSettings& run,
+                                           const std::vector<WritingWays::Block>& blocks) const {
+        const double blur = writing_.blur();
+        std::vector<BlockPictures> all;
+        for (auto& at_a_time : photograph(run, {blocks, kMargin * blur, blur, blur / kPixelsPerBlur}, times_))
+            std::move(at_a_time.begin(), at_a_time.end(), std::back_inserter(all));
+        return all;
+    }
+
+    std::string text_of(const BlockPictures* blocks, std::size_t count, bool blurred, bool dark) const {
+        std::string text;
+        for (std::size_t i = 0; i < count; ++i) {
+            picture::GrayPicture picture = blurred ? blocks[i].blurred : blocks[i].plain;
+            if (!dark)
+                for (std::uint8_t& shade : picture.shades) shade = static_cast<std::uint8_t>(255 - shade);
+            text += reader_.read(picture);
+        }
+        return text;
+    }
+
+    RunSettings run_;
+    const Reader& reader_;
+    const WritingWays& writing_;
+    const std::vector<double>& times_;
+    std::vector<WritingWays::Block> plain_blocks_;
+    std::vector<BlockPictures> plain_;  ///< of those blocks, without inscription
+};
+
+std::string trade_sentence(const WritingsResult& result) {
+    std::string said;
+    for (const TradeRow& row : result.trade)
+        if (row.setting.empty())
+            said += fmt::format("{}{} {:.2f} for {:.0f} %", said.empty() ? "" : ", ", row.way, row.outcome.iou,
+                                100 * row.outcome.silk_share);
+    return said.empty() ? "no way was tried as the scene has it"
+                        : "agreement with what was to be written, for silk that changed: " + said;
+}
+
+/// Mean rates of one way, over all times.
+std::string reading_sentence(const WritingsResult& result, const std::string& way) {
+    double sums[2] = {0, 0}, plain = 0, worst = 0;
+    double counts[2] = {0, 0};
+    for (const ReadingRow& row : result.readings) {
+        if (row.way != way) continue;
+        sums[row.is_blurred ? 1 : 0] += row.error;
+        counts[row.is_blurred ? 1 : 0] += 1;
+        if (!row.is_blurred) continue;
+        plain += row.plain_error;
+        worst = std::max(worst, row.error);
+    }
+    return fmt::format(
+        "{}: of its characters {:.2f} are read wrongly as it is, {:.2f} from a distance (at most {:.2f}); "
+        "{:.2f} where nothing is written",
+        way, sums[0] / counts[0], sums[1] / counts[1], worst, plain / counts[1]);
+}
+
+void read_all(const StudySettings& settings, const WritingWays& writing, const std::vector<double>& times,
+              const Deadline& deadline, WritingsResult& result) {
+    std::vector<std::string>& sentences = result.ways.sentences;
+    const auto reader = Reader::find();
+    if (writing.text().empty() || !reader) {
+        sentences.emplace_back(writing.text().empty()
+                                   ? "it is no text, so nothing was read"
+                                   : "nothing was read: PATH has no tesseract; install tesseract-ocr");
+        return;
+    }
+    Readings readings(settings, *reader, writing, times);
+    for (const TradeRow& written : result.trade) {
+        if (!written.setting.empty()) continue;
+        if (deadline.passed())
+            return sentences.push_back(written.way + " and what follows it was not read for lack of time");
+        const auto rows = readings.of(written);
+        result.readings.insert(result.readings.end(), rows.begin(), rows.end());
+        sentences.push_back(reading_sentence(result, written.way));
+    }
+}
+
+}  // namespace
+
+WritingsResult study_writings(const StudySettings& settings, const std::string& scene, WritingWays& writing,
+                              const std::vector<double>& times, const Deadline& deadline) {
+    if (!writing.has_web())
+        throw Fault(FaultKind::invalid,
+                    scene + ": it has no orb web to write in; expected a table such as [web] with a species");
+    WritingsResult result;
+    result.ways.words = {"inscription",        "tasks",  "text", "writing", "", "target not met / share",
+                         "writing in its web", kReading, true};
+    result.ways.scene = scene;
+    WritingContest contest(writing);
+    study_ways(settings, contest, deadline, result.ways);
+    result.trade = std::move(contest.trade);
+    result.ways.sentences.push_back(trade_sentence(result));
+    read_all(settings, writing, times, deadline, result);
+    return result;
+}
+
+}  // namespace orbweaver::study
