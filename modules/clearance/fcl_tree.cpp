@@ -62,7 +62,7 @@ struct Traversal {
     const Boxes& boxes;
     const TriangleSet& set;
     SlabRay slabs;
-    WatertightRay ray;
+    WatertightRay<> ray;
     NearestCrossing nearest;
 
     void visit(int index) noexcept {
@@ -101,7 +101,7 @@ SurfaceHit FclTree::first_hit(const SurfaceRay& ray) const noexcept {
     if (!is_sound(ray)) return kRefusedHit;
     if (set_.triangles.empty()) return {};
     const auto& root = model_->boxes.getBV(0).bv;
-    Traversal traversal{model_->boxes, set_, SlabRay(ray, root), WatertightRay(ray),
+    Traversal traversal{model_->boxes, set_, SlabRay(ray, root), WatertightRay<>(ray),
                         NearestCrossing(ray.reach)};
     if (std::isfinite(traversal.slabs.entry(root, ray.reach))) traversal.visit(0);
     return traversal.nearest.hit();

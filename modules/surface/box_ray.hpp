@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "floats.hpp"
 #include "watertight.hpp"
 #include "wide_tree.hpp"
 
@@ -16,35 +17,41 @@ namespace orbweaver::surface {
 /// longest component is 1 or more, and less than 2.
 struct BoxRay {
     bool meets = true;
-    std::array<std::size_t, 3> near_plane{}, far_plane{};
-    std::array<float, 3> inverse{}, near{}, far{};  ///< a plane p is met at p * inverse - near, or far
-    double start = 0;                               ///< where it enters
-    double per_unit;                                ///< our distances in one length of its direction
+    std::array<std::size_t, 3> near_plane, far_plane;
+    FourWide::Floats inverse, near,
+        far;           ///< a plane p is met at p * inverse - near, or far; the last means nothing
+    double start = 0;  ///< where it enters
+    double per_unit;   ///< our distances in one length of its direction
 
-    ORBWEAVER_INLINE BoxRay(const WideFrame& frame, const SurfaceRay& ray) noexcept {
+    template <class Wide>
+    ORBWEAVER_INLINE BoxRay(Wide, const WideFrame& frame, const SurfaceRay& ray) noexcept {
         const double power = power_to_one(ray.direction);
         const double per_size = 1 / frame.size;
-        per_unit = per_size / power;
-        const Lanes origin = lanes_of(ray.origin, 0), middle = lanes_of(frame.middle, 0);
-        const Lanes direction = lanes_of(ray.direction, 1);
-        const Lanes forwards = direction < 0 ? in_all(-1) : in_all(1);
-        const Lanes inverses =
-            forwards * least((1 / (direction * forwards + 0.0)) * (1 / power), in_all(kSteepest));
-        Lanes at = (origin - middle) * per_size;
+        per_unit = per_size * inverse_of_power(power);
+        const Lanes origin = lanes_of(ray.origin), middle = lanes_of(frame.middle);
+        Lanes powers, per_sizes;
+        Wide::fill(powers, power);
+        Wide::fill(per_sizes, per_size);
+        const Lanes direction = powers * lanes_of(ray.direction);
+        const Lanes steep = least(1 / absolute(direction), in_all(kSteepest));
+        const Lanes inverses = with_signs_of(direction, steep);
+        Lanes at = (origin - middle) * per_sizes;
         double slack = slack_of(1, largest(middle) * per_size + 1);
         if (const double away = largest(at); away > 1) {
             slack = slack_of(away, largest(origin) * per_size);
-            enter(at, inverses, inverses * forwards * (1 + 2 * slack), ray.reach * per_unit);
-            at += start * power * direction;
+            enter(at, inverses, steep * (1 + 2 * slack), ray.reach * per_unit);
+            at += start * direction;
         }
-        const Lanes outwards = slack * forwards;
+        Lanes slacks;
+        Wide::fill(slacks, slack);
+        const Lanes outwards = with_signs_of(direction, slacks);
+        inverse = singles(inverses);
+        near = singles(at + outwards) * inverse;
+        far = singles(at - outwards) * inverse;
+        const unsigned backwards = Wide::signs(direction);
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t backwards = forwards[i] < 0 ? 1 : 0;
-            near_plane[i] = 2 * i + backwards;
-            far_plane[i] = 2 * i + 1 - backwards;
-            inverse[i] = static_cast<float>(inverses[i]);
-            near[i] = static_cast<float>(at[i] + outwards[i]) * inverse[i];
-            far[i] = static_cast<float>(at[i] - outwards[i]) * inverse[i];
+            near_plane[i] = 2 * i + (backwards >> i & 1U);
+            far_plane[i] = near_plane[i] ^ 1U;
         }
     }
 
@@ -57,12 +64,14 @@ struct BoxRay {
 private:
     static constexpr double kSteepest = 0x1p96;  // inverse of a component that is taken for 0: still a single
 
-    ORBWEAVER_INLINE static Lanes lanes_of(const Vec3& v, double last) noexcept {
-        return Lanes{v.x, v.y, v.z, last};
-    }
+    ORBWEAVER_INLINE static Lanes lanes_of(const Vec3& v) noexcept { return Lanes{v.x, v.y, v.z, 0}; }
     ORBWEAVER_INLINE static Lanes least(const Lanes& a, const Lanes& b) noexcept { return a < b ? a : b; }
+    ORBWEAVER_INLINE static FourWide::Floats singles(const Lanes& of) noexcept {
+        return __builtin_convertvector(of, FourWide::Floats);
+    }
     ORBWEAVER_INLINE static double largest(const Lanes& of) noexcept {
-        return std::max({std::abs(of[0]), std::abs(of[1]), std::abs(of[2])});
+        const Lanes size = absolute(of);
+        return std::max(std::max(size[0], size[1]), size[2]);
     }
     /// For a ray from `away` off the middle, and `world` off the world's origin, or nearer; in the tree's half
     /// sizes.

@@ -8,7 +8,7 @@ namespace orbweaver::surface {
 
 SurfaceHit first_hit_of_all(const TriangleSet& set, const SurfaceRay& ray) noexcept {
     NearestCrossing nearest(ray.reach);
-    const WatertightRay tight(ray);
+    const WatertightRay<> tight(ray);
     for (std::uint32_t face = 0; face < set.triangles.size(); ++face)
         nearest.try_face(tight, rows_of(set, face), face);
     return nearest.hit();

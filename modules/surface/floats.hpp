@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "orbweaver/lanes.hpp"
 #include "orbweaver/targets.hpp"
 
 #if defined(__x86_64__)
@@ -17,11 +18,16 @@ struct FourWide {
     using Floats = float __attribute__((vector_size(16)));
     using Mask = std::int32_t __attribute__((vector_size(16)));
 
+    /// One value in all places.
+    ORBWEAVER_INLINE static void fill(Floats& out, float value) noexcept { out = Floats{} + value; }
+    ORBWEAVER_INLINE static void fill(Lanes& out, double value) noexcept { out = in_all(value); }
     /// out = a * by - less, rounded once or twice.
     ORBWEAVER_INLINE static void scale(const Floats& a, const Floats& by, const Floats& less,
                                        Floats& out) noexcept {
         out = a * by - less;
     }
+    /// Bit i is the sign of lane i.
+    ORBWEAVER_INLINE static unsigned signs(const Lanes& of) noexcept { return sign_bits(of); }
     /// Bit i is answer i.
     ORBWEAVER_INLINE static unsigned bits(const Mask& mask) noexcept {
 #if defined(__x86_64__)
@@ -42,6 +48,13 @@ struct EightWide {
     using Floats = float __attribute__((vector_size(32)));
     using Mask = std::int32_t __attribute__((vector_size(32)));
 
+    ORBWEAVER_AVX2 static void fill(Floats& out, const float& value) noexcept {
+        out = reinterpret_cast<Floats>(_mm256_set1_ps(value));
+    }
+    ORBWEAVER_AVX2 static void fill(Lanes& out, const double& value) noexcept { out = _mm256_set1_pd(value); }
+    ORBWEAVER_AVX2 static unsigned signs(const Lanes& of) noexcept {
+        return static_cast<unsigned>(_mm256_movemask_pd(of));
+    }
     ORBWEAVER_AVX2_FMA static void scale(const Floats& a, const Floats& by, const Floats& less,
                                          Floats& out) noexcept {
         out = reinterpret_cast<Floats>(_mm256_fmsub_ps(

@@ -86,7 +86,7 @@ private:
     }
 
     bool nearest_around(const SurfaceRay& ray, std::size_t first) noexcept {
-        const WatertightRay tight(ray);
+        const WatertightRay<> tight(ray);
         NearestCrossing nearest(ray.reach);
         for (std::size_t i = first; i < count_; ++i)
             nearest.try_face(tight, faces_[around_[i]].corners, around_[i]);
@@ -161,53 +161,59 @@ ORBWEAVER_INLINE void fetch_around(const FaceRecord* faces, std::uint32_t face) 
 
 /// The last face and those beyond the edges that the ray passes outside of by most. A face of which the ray
 /// would meet the other side lies under a fold: there the walk ends.
+template <class Wide>
 ORBWEAVER_INLINE Underfoot walk(const SurfaceMesh& mesh, const ReadyParts& parts, const Stance& stance,
                                 const FaceRecord* faces, std::size_t axis) noexcept {
-    WatertightRay line(stance.position, stance.up, axis);
-    // Of faces that turn the body's side to it the edge functions become positive inside, and NaN where up or
-    // forward is not finite. All else that makes a stance unsound fails the comparisons below.
-    const Vec3 directions = stance.up + stance.forward;
-    line.multiply(in_all(stance.side * line.sign_along() + 0 * (directions.x + directions.y + directions.z)));
+    const WatertightRay<Wide> line(stance.position, stance.up, axis);
+    // NaN where forward is not finite; all else that makes a stance unsound fails the comparisons below.
+    const double unsound = 0 * (stance.forward.x + stance.forward.y + stance.forward.z);
+    // Whether the edge functions are below 0 inside of a face that turns the body's side to it.
+    bool negative = (stance.side > 0) == line.points_along();
     std::uint32_t face = stance.last;
     for (int i = 0; i < kMostSteps; ++i) {
-        const EdgeFunctions e = line.edges(faces[face].corners);
-        if (e.are_positive() || e.least() >= 0) {
-            const auto [scale, above] = line.crossing(e);
-            if (!(-above >= 0 && -above <= stance.reach)) break;
-            if (i > 0) fetch_around(faces, face);
-            return {{Answer::found, {face, weights_of(e.edges, scale)}, -above},
-                    i == 0 ? FoundBy::current : FoundBy::walk};
+        EdgeFunctions e = line.edges(faces[face].corners);
+        if (!e.have_sign<Wide>(negative)) {
+            e.edges *= negative ? -1 : 1;
+            if (!(e.least() >= 0)) {
+                const std::uint32_t code = faces[face].across[worst_edge(e)];
+                if (!(e.total() > 0) || !mesh::is_neighbour(code)) break;
+                face = mesh::across_triangle(code);
+                negative ^= mesh::is_flipped(code);
+                continue;
+            }
         }
-        const std::uint32_t code = faces[face].across[worst_edge(e)];
-        if (!(e.total() > 0) || !mesh::is_neighbour(code)) break;
-        face = mesh::across_triangle(code);
-        if (mesh::is_flipped(code)) line.multiply(in_all(-1));
+        const auto [scale, above] = line.crossing(e);
+        if (!(unsound - above >= 0 && -above <= stance.reach)) break;
+        if (i > 0) fetch_around(faces, face);
+        return {{Answer::found, {face, weights_of(e.edges, scale)}, -above},
+                i == 0 ? FoundBy::current : FoundBy::walk};
     }
     return search(mesh, parts, faces, stance);
 }
 
+template <class Wide>
 ORBWEAVER_INLINE Underfoot ask(const SurfaceMesh& mesh, const ReadyParts& parts, const FaceRecord* faces,
                                const Stance& stance) noexcept {
     if (stance.last >= mesh.triangles.size() || (stance.side != 1 && stance.side != -1)) [[unlikely]]
         return search(mesh, parts, faces, stance);
     // Each axis has code of its own: a body keeps to one for a while, and foresight costs less than indices.
-    switch (WatertightRay::axis_of(stance.up)) {
+    switch (axis_of(stance.up)) {
         case 0:
-            return walk(mesh, parts, stance, faces, 0);
+            return walk<Wide>(mesh, parts, stance, faces, 0);
         case 1:
-            return walk(mesh, parts, stance, faces, 1);
+            return walk<Wide>(mesh, parts, stance, faces, 1);
         default:
-            return walk(mesh, parts, stance, faces, 2);
+            return walk<Wide>(mesh, parts, stance, faces, 2);
     }
 }
 
 [[gnu::noinline]] Underfoot ask_plain(const SurfaceMesh& mesh, const ReadyParts& parts, const FaceRecord* faces,
                                       const Stance& stance) noexcept {
-    return ask(mesh, parts, faces, stance);
+    return ask<FourWide>(mesh, parts, faces, stance);
 }
 [[gnu::noinline]] ORBWEAVER_AVX2 Underfoot ask_avx2(const SurfaceMesh& mesh, const ReadyParts& parts,
                                                     const FaceRecord* faces, const Stance& stance) noexcept {
-    return ask(mesh, parts, faces, stance);
+    return ask<EightWide>(mesh, parts, faces, stance);
 }
 
 const bool kWideVectors = has_avx2();

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "face_record.hpp"
+#include "floats.hpp"
 #include "orbweaver/lanes.hpp"
 
 namespace orbweaver::surface {
@@ -28,6 +29,11 @@ ORBWEAVER_INLINE double power_to_one(const Vec3& v) noexcept {
     return std::bit_cast<double>(kOfTwoInAll - std::min(exponent, kOfTwoInAll - (std::uint64_t{1} << 52)));
 }
 
+ORBWEAVER_INLINE double inverse_of_power(double power) noexcept {
+    constexpr std::uint64_t kOfTwoInAll = 0x7FE0000000000000;
+    return std::bit_cast<double>(kOfTwoInAll - std::bit_cast<std::uint64_t>(power));
+}
+
 /// Four units in the last place: how far a corner may be from where it was meant to be, of its largest number.
 inline constexpr double kGrain = 4 * std::numeric_limits<double>::epsilon();
 
@@ -39,13 +45,32 @@ struct EdgeFunctions {
 
     ORBWEAVER_INLINE double total() const noexcept { return edges[0] + edges[1] + edges[2]; }
     ORBWEAVER_INLINE double least() const noexcept { return std::min(std::min(edges[0], edges[1]), edges[2]); }
-    /// Quicker than least() >= 0, and true only if that is.
-    ORBWEAVER_INLINE bool are_positive() const noexcept { return sign_bits(edges) == 0; }
+    /// Whether all are below 0, or above: true only if they are, or are 0.
+    template <class Wide>
+    ORBWEAVER_INLINE bool have_sign(bool negative) const noexcept {
+        return Wide::signs(edges) == (negative ? 7U : 0U);
+    }
 };
+
+/// The axis along which a direction is longest.
+ORBWEAVER_INLINE std::size_t axis_of(const Vec3& direction) noexcept {
+    const double x = std::abs(direction.x), y = std::abs(direction.y), z = std::abs(direction.z);
+    if (x > y) return z > x ? 2 : 0;
+    return z > y ? 2 : 1;
+}
 
 ORBWEAVER_INLINE std::array<double, 3> weights_of(const Lanes& edges, double scale) noexcept {
     return {edges[0] * scale, edges[1] * scale, edges[2] * scale};
 }
+
+/// What a crossing's edge functions are multiplied by to be its weights, and how far it is, in lengths of the
+/// direction.
+struct Crossing {
+    double scale;
+    double distance;
+};
+
+enum class Meets : std::uint8_t { not_at_all, grazes, crosses };
 
 /// The ray-triangle test of Woop, Benthin and Wald (2013), in double: the ray is sheared on to the axis along
 /// which it is longest, where three edge functions say on which side of each edge it passes. What an edge's
@@ -56,30 +81,19 @@ ORBWEAVER_INLINE std::array<double, 3> weights_of(const Lanes& edges, double sca
 ///
 /// Nothing is divided before it is known whether the triangle is met: with d the direction and z its axis, a
 /// corner is sheared to (d_z x - d_x z, d_z y - d_y z), d_z times what the paper has.
+template <class Wide = FourWide>
 class WatertightRay {
 public:
-    /// Of the axis along which the direction is longest.
-    ORBWEAVER_INLINE static std::size_t axis_of(const Vec3& direction) noexcept {
-        const double x = std::abs(direction.x), y = std::abs(direction.y), z = std::abs(direction.z);
-        if (x > y) return z > x ? 2 : 0;
-        return z > y ? 2 : 1;
-    }
-
     /// For a direction whose length is near 1; `axis` is axis_of(direction).
     ORBWEAVER_INLINE WatertightRay(const Vec3& origin, const Vec3& direction, std::size_t axis) noexcept
         : x_(axis == 2 ? 0 : axis + 1), y_(axis == 0 ? 2 : axis - 1), z_(axis) {
         const double *o = &origin.x, *d = &direction.x;
-        origin_x_ = in_all(o[x_]);
-        origin_y_ = in_all(o[y_]);
-        origin_z_ = in_all(o[z_]);
-        along_x_ = along_ = in_all(d[z_]);
-        shear_x_ = in_all(d[x_]);
-        shear_y_ = in_all(d[y_]);
-    }
-    /// All edge functions are multiplied by this from now on.
-    ORBWEAVER_INLINE void multiply(const Lanes& by) noexcept {
-        along_x_ *= by;
-        shear_x_ *= by;
+        Wide::fill(origin_x_, o[x_]);
+        Wide::fill(origin_y_, o[y_]);
+        Wide::fill(origin_z_, o[z_]);
+        Wide::fill(along_, d[z_]);
+        Wide::fill(shear_x_, d[x_]);
+        Wide::fill(shear_y_, d[y_]);
     }
     /// For a direction of any length but 0.
     ORBWEAVER_INLINE explicit WatertightRay(const SurfaceRay& ray) noexcept
@@ -88,27 +102,20 @@ public:
     template <class Rows>
     ORBWEAVER_INLINE EdgeFunctions edges(const Rows& rows) const noexcept {
         const Lanes z = rows.row(z_) - origin_z_;
-        const Lanes x = (rows.row(x_) - origin_x_) * along_x_ - shear_x_ * z;
+        const Lanes x = (rows.row(x_) - origin_x_) * along_ - shear_x_ * z;
         const Lanes y = (rows.row(y_) - origin_y_) * along_ - shear_y_ * z;
         return {before(x) * after(y) - before(y) * after(x), z};
     }
 
-    /// The sign of `total()` for a triangle whose normal points along the line.
-    ORBWEAVER_INLINE double sign_along() const noexcept { return -std::copysign(1.0, along_[0]); }
+    /// Whether the direction's longest component is 0 or above: `total()` is then below 0 for a triangle whose
+    /// normal points along the line.
+    ORBWEAVER_INLINE bool points_along() const noexcept { return !std::signbit(along_[0]); }
 
-    /// What a crossing's edge functions are multiplied by to be its weights, and how far it is, in lengths of
-    /// the direction.
-    struct Crossing {
-        double scale;
-        double distance;
-    };
     ORBWEAVER_INLINE Crossing crossing(const EdgeFunctions& e) const noexcept {
         const Lanes each = e.edges * e.depths;
         const double inverse = 1 / (e.total() * along_[0]);
         return {inverse * along_[0], (each[0] + each[1] + each[2]) * inverse * unit_};
     }
-
-    enum class Meets : std::uint8_t { not_at_all, grazes, crosses };
 
     /// Whether the triangle is met, on either face, at a distance in [0, reach]. `e` is what edges() said; of a
     /// triangle that is grazed it becomes what it would be on the rim.
@@ -167,7 +174,7 @@ private:
     }
 
     Lanes origin_x_, origin_y_, origin_z_;
-    Lanes along_x_, along_, shear_x_, shear_y_;
+    Lanes along_, shear_x_, shear_y_;
     std::size_t x_, y_, z_;
     double unit_ = 1;  // of distance: lengths of the direction in one of what `along` is of
 };
@@ -178,13 +185,14 @@ class NearestCrossing {
 public:
     explicit NearestCrossing(double reach) noexcept : crossed_{.reach = reach}, grazed_{.reach = reach} {}
 
-    template <class Rows>
-    ORBWEAVER_INLINE void try_face(const WatertightRay& ray, const Rows& rows, std::uint32_t face) noexcept {
+    template <class Wide, class Rows>
+    ORBWEAVER_INLINE void try_face(const WatertightRay<Wide>& ray, const Rows& rows,
+                                   std::uint32_t face) noexcept {
         EdgeFunctions e = ray.edges(rows);
-        WatertightRay::Crossing met{};
+        Crossing met{};
         const auto meets = ray.meets(rows, crossed_.reach, e, met);
-        if (meets == WatertightRay::Meets::not_at_all) return;
-        Nearest& nearest = meets == WatertightRay::Meets::crosses ? crossed_ : grazed_;
+        if (meets == Meets::not_at_all) return;
+        Nearest& nearest = meets == Meets::crosses ? crossed_ : grazed_;
         if (met.distance > nearest.reach || (met.distance == nearest.reach && face > nearest.face)) return;
         nearest = {e.edges, met.distance, met.scale, face};
     }

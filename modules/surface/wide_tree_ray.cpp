@@ -39,12 +39,12 @@ class Traversal {
 
 public:
     ORBWEAVER_INLINE Traversal(const WideTree& tree, const TriangleSet& set, const BoxRay& box,
-                               const WatertightRay& ray, double reach) noexcept
+                               const WatertightRay<Wide>& ray, double reach) noexcept
         : nearest_(reach), tree_(tree), set_(set), box_(box), ray_(ray), reach_(box.in_tree(reach)) {
         for (std::size_t i = 0; i < 3; ++i) {
-            inverse_[i] = Floats{} + box.inverse[i];
-            near_[i] = Floats{} + box.near[i];
-            far_[i] = Floats{} + box.far[i];
+            Wide::fill(inverse_[i], box.inverse[i]);
+            Wide::fill(near_[i], box.near[i]);
+            Wide::fill(far_[i], box.far[i]);
         }
     }
 
@@ -107,6 +107,8 @@ private:
     ORBWEAVER_INLINE unsigned meet(const WideNode& node, std::array<float, kWide>& enters) const noexcept {
         constexpr std::size_t kLanes = sizeof(Floats) / sizeof(float);
         unsigned met = 0;
+        Floats reach;
+        Wide::fill(reach, reach_);
         for (std::size_t lane = 0; lane < kWide; lane += kLanes) {
             Floats first[3], last[3];
             for (std::size_t i = 0; i < 3; ++i) {
@@ -116,7 +118,7 @@ private:
                             last[i]);
             }
             const Floats enter = larger(larger(first[0], first[1]), larger(first[2], Floats{}));
-            const Floats leave = smaller(smaller(last[0], last[1]), smaller(last[2], Floats{} + reach_));
+            const Floats leave = smaller(smaller(last[0], last[1]), smaller(last[2], reach));
             std::memcpy(&enters[lane], &enter, sizeof enter);
             met |= Wide::bits(enter <= leave) << lane;
         }
@@ -128,7 +130,7 @@ private:
     const WideTree& tree_;
     const TriangleSet& set_;
     const BoxRay& box_;
-    const WatertightRay& ray_;
+    const WatertightRay<Wide>& ray_;
     float reach_;
     int count_ = 0;
     Pending stack_[kWideStack];
@@ -138,9 +140,9 @@ template <class Wide>
 ORBWEAVER_INLINE SurfaceHit cast(const WideTree& tree, const TriangleSet& set, const SurfaceRay& ray) noexcept {
     if (!is_sound(ray)) return kRefusedHit;
     if (tree.nodes.empty()) return {};
-    const BoxRay box(tree.frame, ray);
+    const BoxRay box(Wide{}, tree.frame, ray);
     if (!box.meets) return {};
-    const WatertightRay tight(ray);
+    const WatertightRay<Wide> tight(ray);
     return Traversal<Wide>(tree, set, box, tight, ray.reach).run();
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -23,6 +25,17 @@ ORBWEAVER_INLINE Lanes load(const double* from) noexcept {
 ORBWEAVER_INLINE void store(double* to, const Lanes& lanes) noexcept { std::memcpy(to, &lanes, sizeof lanes); }
 
 ORBWEAVER_INLINE Lanes in_all(double value) noexcept { return Lanes{value, value, value, value}; }
+
+ORBWEAVER_INLINE Lanes absolute(const Lanes& of) noexcept {
+    using Bits = std::int64_t __attribute__((vector_size(32)));
+    return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(of) & std::numeric_limits<std::int64_t>::max());
+}
+/// `sizes`, none below 0, with the signs of `of`.
+ORBWEAVER_INLINE Lanes with_signs_of(const Lanes& of, const Lanes& sizes) noexcept {
+    using Bits = std::int64_t __attribute__((vector_size(32)));
+    constexpr std::int64_t kSign = std::numeric_limits<std::int64_t>::min();
+    return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(sizes) | (reinterpret_cast<Bits>(of) & kSign));
+}
 
 /// Bit i is the sign of lane i.
 ORBWEAVER_INLINE unsigned sign_bits(const Lanes& of) noexcept {
