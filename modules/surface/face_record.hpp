@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -35,12 +36,24 @@ inline CornerRows rows_of(const TriangleSet& set, std::uint32_t face) noexcept {
 }
 
 /// All that a query needs of a face side by side: its corners, and what lies across its edges (codes as
-/// mesh::SurfaceMesh::across has them).
+/// mesh::SurfaceMesh::across has them). Each coordinate is a row, as CornerRows has them, that no cache line
+/// divides; a code fills the row up, below the exponent of a number from 1 to 2, for denormal ones are dear.
 struct alignas(32) FaceRecord {
-    CornerRows corners;
-    Corners across;
+    struct Row {
+        std::array<double, 3> at;
+        std::uint32_t across;
+        std::uint32_t exponent = 0x3FF00000;
+    };
+    std::array<Row, 3> rows;
+
+    ORBWEAVER_INLINE Lanes row(std::size_t axis) const noexcept { return load(rows[axis].at.data()); }
 };
-static_assert(sizeof(FaceRecord) == 96);
+static_assert(sizeof(FaceRecord) == 96 && std::endian::native == std::endian::little);
+
+inline FaceRecord record_of(const TriangleSet& set, std::uint32_t face, const Corners& across) noexcept {
+    const auto [p, q, r] = set.corners(face);
+    return {{{{{p.x, q.x, r.x}, across[0]}, {{p.y, q.y, r.y}, across[1]}, {{p.z, q.z, r.z}, across[2]}}}};
+}
 
 /// A record a face, in their order; `across` holds as many.
 using FaceRecords = std::vector<FaceRecord, LargePages<FaceRecord>>;
@@ -48,7 +61,7 @@ inline FaceRecords face_records(const TriangleSet& set, std::span<const Corners>
     FaceRecords records;
     records.reserve(set.triangles.size());
     for (std::uint32_t face = 0; face < set.triangles.size(); ++face)
-        records.push_back({rows_of(set, face), across[face]});
+        records.push_back(record_of(set, face, across[face]));
     return records;
 }
 

@@ -88,8 +88,7 @@ private:
     bool nearest_around(const SurfaceRay& ray, std::size_t first) noexcept {
         const WatertightRay<> tight(ray);
         NearestCrossing nearest(ray.reach);
-        for (std::size_t i = first; i < count_; ++i)
-            nearest.try_face(tight, faces_[around_[i]].corners, around_[i]);
+        for (std::size_t i = first; i < count_; ++i) nearest.try_face(tight, faces_[around_[i]], around_[i]);
         return keep_nearer(nearest.hit());
     }
 
@@ -145,17 +144,18 @@ private:
 
 /// The edge that a line passes outside of by most; without branches, which nobody could foresee.
 ORBWEAVER_INLINE std::size_t worst_edge(const EdgeFunctions& e) noexcept {
-    const double least = std::min(e.edges[0], e.edges[2]);
     const std::size_t edge = e.edges[0] < e.edges[2] ? 1 : 0;
-    return e.edges[1] < least ? 2 : edge;
+    const std::size_t is_last = e.edges[1] < std::min(e.edges[0], e.edges[2]) ? 1 : 0;
+    return edge + (2 - edge) * is_last;
 }
 
 /// Calls for the neighbours of a face that was just come to: most likely one of them is asked for soon.
 ORBWEAVER_INLINE void fetch_around(const FaceRecord* faces, std::uint32_t face) noexcept {
-    for (const std::uint32_t code : faces[face].across) {
-        const FaceRecord* next = faces + (mesh::is_neighbour(code) ? mesh::across_triangle(code) : face);
-        __builtin_prefetch(next);
-        __builtin_prefetch(&next->across);
+    for (const FaceRecord::Row& row : faces[face].rows) {
+        const FaceRecord* next =
+            faces + (mesh::is_neighbour(row.across) ? mesh::across_triangle(row.across) : face);
+        __builtin_prefetch(&next->rows[0]);
+        __builtin_prefetch(&next->rows[2]);
     }
 }
 
@@ -171,11 +171,11 @@ ORBWEAVER_INLINE Underfoot walk(const SurfaceMesh& mesh, const ReadyParts& parts
     bool negative = (stance.side > 0) == line.points_along();
     std::uint32_t face = stance.last;
     for (int i = 0; i < kMostSteps; ++i) {
-        EdgeFunctions e = line.edges(faces[face].corners);
+        EdgeFunctions e = line.edges(faces[face]);
         if (!e.have_sign<Wide>(negative)) {
             e.edges *= negative ? -1 : 1;
             if (!(e.least() >= 0)) {
-                const std::uint32_t code = faces[face].across[worst_edge(e)];
+                const std::uint32_t code = faces[face].rows[worst_edge(e)].across;
                 if (!(e.total() > 0) || !mesh::is_neighbour(code)) break;
                 face = mesh::across_triangle(code);
                 negative ^= mesh::is_flipped(code);
