@@ -16,7 +16,7 @@ struct Recipe {
 };
 
 /// What a builder of another number makes of the same source differs: part of every cache's key.
-inline constexpr std::uint32_t kBuilderVersion = 2;
+inline constexpr std::uint32_t kBuilderVersion = 3;
 
 /// Welds, triangulates, drops what has no area or was there before, and joins what remains. `name` stands for
 /// the mesh in sentences. Throws Fault(invalid) for a mesh that is refused (see check), one of which nothing

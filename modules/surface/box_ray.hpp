@@ -18,10 +18,9 @@ namespace orbweaver::surface {
 struct BoxRay {
     bool meets = true;
     std::array<std::size_t, 3> near_plane, far_plane;
-    FourWide::Floats inverse, near,
-        far;           ///< a plane p is met at p * inverse - near, or far; the last means nothing
-    double start = 0;  ///< where it enters
-    double per_unit;   ///< our distances in one length of its direction
+    FourWide::Floats inverse, near, far;  ///< axis i: a plane p is met at p * inverse[i] - near[i], or far[i]
+    double start = 0;                     ///< where it enters
+    double per_unit;                      ///< our distances in one length of its direction
 
     template <class Wide>
     ORBWEAVER_INLINE BoxRay(Wide, const WideFrame& frame, const SurfaceRay& ray) noexcept {
@@ -34,7 +33,7 @@ struct BoxRay {
         Wide::fill(per_sizes, per_size);
         const Lanes direction = powers * lanes_of(ray.direction);
         const Lanes steep = least(1 / absolute(direction), in_all(kSteepest));
-        const Lanes inverses = with_signs_of(direction, steep);
+        const Lanes inverses = flipped_by(direction, steep);
         Lanes at = (origin - middle) * per_sizes;
         double slack = slack_of(1, largest(middle) * per_size + 1);
         if (const double away = largest(at); away > 1) {
@@ -44,7 +43,7 @@ struct BoxRay {
         }
         Lanes slacks;
         Wide::fill(slacks, slack);
-        const Lanes outwards = with_signs_of(direction, slacks);
+        const Lanes outwards = flipped_by(direction, slacks);
         inverse = singles(inverses);
         near = singles(at + outwards) * inverse;
         far = singles(at - outwards) * inverse;

@@ -64,7 +64,7 @@ public:
         while (count_ > 0) {
             const Pending next = stack_[--count_];
             if (next.distance2 > bound2_) continue;
-            if ((next.child & kLeafBit) != 0)
+            if (is_leaf(next.child))
                 try_leaf(next.child);
             else
                 open(tree_.nodes[next.child]);
@@ -105,7 +105,7 @@ private:
         for (std::size_t i = 0; i < kWide; ++i) {
             const double distance2 = box_distance2(node, i, q_);
             if (!(distance2 <= bound2_)) continue;
-            if (!(node.planes[0][i] <= node.planes[1][i])) continue;
+            if (!has_box(node, i)) continue;
             int at = count_++;
             for (; at > bottom && stack_[at - 1].distance2 < distance2; --at) stack_[at] = stack_[at - 1];
             stack_[at] = {node.children[i], distance2};

@@ -22,8 +22,8 @@ std::uint32_t shell_count(const mesh::SurfaceMesh& mesh) noexcept {
     return mesh.shell.empty() ? 0 : *std::max_element(mesh.shell.begin(), mesh.shell.end()) + 1;
 }
 
-/// A leaf of a tree holds as many.
-bool are_few(const mesh::SurfaceMesh& mesh) noexcept { return mesh.triangles.size() <= kLeafMost; }
+/// As many as a node of a tree has children.
+bool are_few(const mesh::SurfaceMesh& mesh) noexcept { return mesh.triangles.size() <= kWide; }
 
 }  // namespace
 

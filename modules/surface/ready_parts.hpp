@@ -10,22 +10,21 @@
 namespace orbweaver::surface {
 
 /// What queries want of a mesh besides itself, made when it is first asked for: the faces' records, and the
-/// tree, unless that was baked.
+/// tree, or of one that was baked its corners.
 class ReadyParts {
 public:
     /// Reads `mesh` for as long as it lives.
     explicit ReadyParts(const mesh::SurfaceMesh& mesh, const std::optional<WideTree>& baked = std::nullopt)
-        : baked_(baked),
-          tree_([set = triangles_of(mesh)] { return std::make_unique<const Built>(set); }),
+        : is_baked_(baked.has_value()),
+          tree_([set = triangles_of(mesh), baked] { return std::make_unique<const ReadyTree>(set, baked); }),
           faces_([mesh] {
               return std::make_unique<const FaceRecords>(face_records(triangles_of(mesh), mesh.across));
           }) {}
 
     /// Null when there was no memory for it.
     const WideTree* tree() const noexcept {
-        if (baked_) return &*baked_;
-        const Built* built = tree_.get();
-        return built == nullptr ? nullptr : &built->tree;
+        const ReadyTree* ready = tree_.get();
+        return ready == nullptr ? nullptr : &ready->tree;
     }
 
     /// One a face; null when there was no memory for them.
@@ -34,11 +33,11 @@ public:
         return records == nullptr ? nullptr : records->data();
     }
 
-    bool tree_is_baked() const noexcept { return baked_.has_value(); }
-    /// Of the tree that was made; 0 while none was.
+    bool tree_is_baked() const noexcept { return is_baked_; }
+    /// Of the tree, or what was made for the baked one; 0 while none was asked for.
     std::size_t tree_bytes() const noexcept {
-        const Built* built = tree_.made();
-        return built == nullptr ? 0 : built->data.memory_bytes();
+        const ReadyTree* ready = tree_.made();
+        return ready == nullptr ? 0 : ready->made.memory_bytes();
     }
     std::size_t faces_bytes() const noexcept {
         const FaceRecords* records = faces_.made();
@@ -46,14 +45,23 @@ public:
     }
 
 private:
-    struct Built {
-        explicit Built(const TriangleSet& set) : data(build_wide_tree(set)), tree(data.view()) {}
-        WideTreeData data;
+    struct ReadyTree {
+        ReadyTree(const TriangleSet& set, const std::optional<WideTree>& baked) {
+            if (baked) {
+                made.corners = corners_of_leaves(*baked, set);
+                tree = *baked;
+                tree.corners = made.corners;
+            } else {
+                made = build_wide_tree(set);
+                tree = made.view();
+            }
+        }
+        WideTreeData made;
         WideTree tree;
     };
 
-    std::optional<WideTree> baked_;
-    OnDemand<Built> tree_;
+    bool is_baked_;
+    OnDemand<ReadyTree> tree_;
     OnDemand<FaceRecords> faces_;
 };
 

@@ -29,6 +29,7 @@ ORBWEAVER_INLINE double power_to_one(const Vec3& v) noexcept {
     return std::bit_cast<double>(kOfTwoInAll - std::min(exponent, kOfTwoInAll - (std::uint64_t{1} << 52)));
 }
 
+/// 1 / power, of such a power.
 ORBWEAVER_INLINE double inverse_of_power(double power) noexcept {
     constexpr std::uint64_t kOfTwoInAll = 0x7FE0000000000000;
     return std::bit_cast<double>(kOfTwoInAll - std::bit_cast<std::uint64_t>(power));
@@ -45,7 +46,7 @@ struct EdgeFunctions {
 
     ORBWEAVER_INLINE double total() const noexcept { return edges[0] + edges[1] + edges[2]; }
     ORBWEAVER_INLINE double least() const noexcept { return std::min(std::min(edges[0], edges[1]), edges[2]); }
-    /// Whether all are below 0, or above: true only if they are, or are 0.
+    /// Whether all are below 0, or above; true of a 0 as its sign has it.
     template <class Wide>
     ORBWEAVER_INLINE bool have_sign(bool negative) const noexcept {
         return Wide::signs(edges) == (negative ? 7U : 0U);
@@ -107,6 +108,39 @@ public:
         return {before(x) * after(y) - before(y) * after(x), z};
     }
 
+    /// What meets() asks, of up to four triangles side by side, each in its place; to the same bits.
+    struct Many {
+        std::array<Lanes, 3> edges;
+        Lanes scale, distance;
+        unsigned near;    ///< bit i: triangle i is crossed, or passed so closely that it may be grazed
+        unsigned beside;  ///< bit i: it is passed
+    };
+    /// `rows(axis, corner)` is that coordinate of all.
+    template <class Rows>
+    ORBWEAVER_INLINE Many meet_many(const Rows& rows) const noexcept {
+        std::array<Lanes, 3> x, y, z;
+        for (std::size_t i = 0; i < 3; ++i) {
+            z[i] = rows(z_, i) - origin_z_;
+            x[i] = (rows(x_, i) - origin_x_) * along_ - shear_x_ * z[i];
+            y[i] = (rows(y_, i) - origin_y_) * along_ - shear_y_ * z[i];
+        }
+        Many many;
+        auto& e = many.edges;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t before = (i + 2) % 3, after = (i + 1) % 3;
+            e[i] = x[before] * y[after] - y[before] * x[after];
+        }
+        const Lanes total = e[0] + e[1] + e[2];
+        const Lanes inverse = 1 / (total * along_);
+        many.scale = inverse * along_;
+        many.distance = (e[0] * z[0] + e[1] * z[1] + e[2] * z[2]) * inverse * unit_;
+        const Lanes a = flipped_by(total, e[0]), b = flipped_by(total, e[1]), c = flipped_by(total, e[2]);
+        const Lanes lesser = a < b ? a : b, least = lesser < c ? lesser : c;
+        many.near = Wide::signs(reinterpret_cast<Lanes>(least >= absolute(total) * -kWorthALook));
+        many.beside = Wide::signs(reinterpret_cast<Lanes>(least < 0));
+        return many;
+    }
+
     /// Whether the direction's longest component is 0 or above: `total()` is then below 0 for a triangle whose
     /// normal points along the line.
     ORBWEAVER_INLINE bool points_along() const noexcept { return !std::signbit(along_[0]); }
@@ -125,7 +159,6 @@ public:
         const double total = e.total();
         const double sign = std::copysign(1.0, total);
         const double least = EdgeFunctions{e.edges * sign, e.depths}.least();
-        constexpr double kWorthALook = 1e-6;  // of the triangle: rounding is far below, unless it is far away
         if (least < -kWorthALook * std::abs(total)) return Meets::not_at_all;
         const bool grazes = least < 0;
         if (grazes && !pull_to_rim(rows, sign, e)) return Meets::not_at_all;
@@ -136,6 +169,9 @@ public:
     }
 
 private:
+    static constexpr double kWorthALook =
+        1e-6;  // of the triangle: rounding is far below, unless it is far away
+
     ORBWEAVER_INLINE WatertightRay(const SurfaceRay& ray, double power, std::size_t axis) noexcept
         : WatertightRay(ray.origin, power * ray.direction, axis) {
         unit_ = power;
@@ -192,9 +228,11 @@ public:
         Crossing met{};
         const auto meets = ray.meets(rows, crossed_.reach, e, met);
         if (meets == Meets::not_at_all) return;
-        Nearest& nearest = meets == Meets::crosses ? crossed_ : grazed_;
-        if (met.distance > nearest.reach || (met.distance == nearest.reach && face > nearest.face)) return;
-        nearest = {e.edges, met.distance, met.scale, face};
+        take(meets == Meets::crosses ? crossed_ : grazed_, e.edges, met, face);
+    }
+    /// Of a triangle that the line crosses, wherever that is.
+    ORBWEAVER_INLINE void try_crossing(const Lanes& edges, const Crossing& met, std::uint32_t face) noexcept {
+        if (met.distance >= 0) take(crossed_, edges, met, face);
     }
 
     bool crosses() const noexcept { return crossed_.face != kNoFace; }
@@ -213,6 +251,12 @@ private:
         double reach, scale = 0;
         std::uint32_t face = kNoFace;
     };
+    ORBWEAVER_INLINE static void take(Nearest& nearest, const Lanes& edges, const Crossing& met,
+                                      std::uint32_t face) noexcept {
+        if (!(met.distance <= nearest.reach) || (met.distance == nearest.reach && face > nearest.face)) return;
+        nearest = {edges, met.distance, met.scale, face};
+    }
+
     Nearest crossed_, grazed_;
 };
 

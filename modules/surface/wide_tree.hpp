@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "large_pages.hpp"
 #include "triangle_set.hpp"
 
 namespace orbweaver::surface {
@@ -31,7 +32,7 @@ static_assert(sizeof(WideTriangle) == 16);
 
 inline constexpr std::uint32_t kLeafBit = 0x80000000;
 inline constexpr std::uint32_t kLeafFirstBits = 28;  ///< at most 2^28 triangles
-inline constexpr std::uint32_t kLeafMost = 8;
+inline constexpr std::uint32_t kLeafMost = 4;
 inline constexpr int kWideStack = 560;  ///< enough for any tree that build_wide_tree makes
 
 constexpr std::uint32_t leaf(std::uint32_t first, std::uint32_t count) noexcept {
@@ -47,6 +48,16 @@ constexpr std::uint32_t leaf_count(std::uint32_t child) noexcept {
 /// In place of a child that is not there: a leaf, for a ray whose numbers overflow may meet any box.
 inline constexpr std::uint32_t kNoChild = leaf(0, 1);
 
+constexpr bool is_leaf(std::uint32_t child) noexcept { return (child & kLeafBit) != 0; }
+inline bool has_box(const WideNode& node, std::size_t i) noexcept {
+    return node.planes[0][i] <= node.planes[1][i];
+}
+
+/// Corners of triangles (m), nine numbers each. Those of a leaf are rows, a number a triangle: x of corner 0,
+/// of corner 1, of corner 2, then y, then z. One load so takes a coordinate of up to four, which a leaf has at
+/// most; the last may reach three numbers beyond.
+using LeafCorners = std::vector<double, LargePages<double>>;
+
 /// The frame of the tree's coordinates: world = middle + size * tree, so that all boxes lie within [-1, 1].
 struct WideFrame {
     Vec3 middle;      ///< m
@@ -61,18 +72,24 @@ struct WideTree {
     WideFrame frame;
     std::span<const WideNode> nodes;
     std::span<const WideTriangle> triangles;  ///< in the order of the leaves
+    std::span<const double> corners{};        ///< see corners_of_leaves(); a file has none
 };
 
 struct WideTreeData {
     WideFrame frame;
-    std::vector<WideNode> nodes;
-    std::vector<WideTriangle> triangles;
+    std::vector<WideNode, LargePages<WideNode>> nodes;
+    std::vector<WideTriangle, LargePages<WideTriangle>> triangles;
+    LeafCorners corners;
 
-    WideTree view() const noexcept { return {frame, nodes, triangles}; }
+    WideTree view() const noexcept { return {frame, nodes, triangles, corners}; }
     std::size_t memory_bytes() const noexcept {
-        return nodes.capacity() * sizeof(WideNode) + triangles.capacity() * sizeof(WideTriangle);
+        return nodes.capacity() * sizeof(WideNode) + triangles.capacity() * sizeof(WideTriangle) +
+               corners.capacity() * sizeof(double);
     }
 };
+
+/// The corners of a tree's triangles where `set` has them: what rays want of it besides itself.
+LeafCorners corners_of_leaves(const WideTree& tree, const TriangleSet& set);
 
 /// Splits by the surface area heuristic over 16 bins (Wald 2007), seven splits to a node. Vertices are finite.
 /// Throws Fault(limit) above 2^28 triangles.

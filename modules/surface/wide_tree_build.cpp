@@ -61,12 +61,13 @@ public:
         make_node(range_of(0, static_cast<std::uint32_t>(order_.size()), 0));
         data_.triangles.reserve(order_.size());
         for (const std::uint32_t face : order_) data_.triangles.push_back({set_.triangles[face], face});
+        data_.corners = corners_of_leaves(data_.view(), set_);
         return std::move(data_);
     }
 
 private:
-    static constexpr std::uint32_t kLeaf = 4;       // at most so many triangles need no split
-    static constexpr std::uint32_t kSmallLeaf = 1;  // at most so many are not split for room in a node
+    static constexpr std::uint32_t kSmallLeaf =
+        3;  // at most so many triangles are not split for room in a node
     static constexpr std::size_t kBins = 16;
     static constexpr int kHeuristicDepth = 48;  // deeper, halves: no tree outgrows the stack of its traversal
 
@@ -102,7 +103,7 @@ private:
     std::uint32_t make_node(const Range& whole) {
         std::vector<Range> parts{whole};
         while (parts.size() < kWide) {
-            auto largest = largest_above(kLeaf, parts);
+            auto largest = largest_above(kLeafMost, parts);
             if (largest == parts.end()) largest = largest_above(kSmallLeaf, parts);
             if (largest == parts.end()) break;
             const std::uint32_t middle = split(*largest);
@@ -122,7 +123,7 @@ private:
             }
         }
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            const bool small = parts[i].count <= kLeaf;
+            const bool small = parts[i].count <= kLeafMost;
             const std::uint32_t child = small ? leaf(parts[i].first, parts[i].count) : make_node(parts[i]);
             data_.nodes[index].children[i] = child;
         }
@@ -220,6 +221,21 @@ WideFrame frame_of(const TriangleSet& set) noexcept {
     const Vec3 half = 0.5 * (high - low);
     const double size = std::max({half.x, half.y, half.z});
     return {low + half, size > 0 ? size : 1};
+}
+
+LeafCorners corners_of_leaves(const WideTree& tree, const TriangleSet& set) {
+    LeafCorners corners(9 * tree.triangles.size() + 3);
+    for (const WideNode& node : tree.nodes)
+        for (std::size_t i = 0; i < kWide; ++i) {
+            const std::uint32_t child = node.children[i];
+            if (!is_leaf(child) || !has_box(node, i)) continue;
+            const auto triangles = tree.triangles.subspan(leaf_first(child), leaf_count(child));
+            double* at = &corners[9 * std::size_t{leaf_first(child)}];
+            for (const auto axis : {&Vec3::x, &Vec3::y, &Vec3::z})
+                for (std::size_t corner = 0; corner < 3; ++corner)
+                    for (const WideTriangle& each : triangles) *at++ = set.vertices[each.corners[corner]].*axis;
+        }
+    return corners;
 }
 
 WideTreeData build_wide_tree(const TriangleSet& set) {

@@ -7,12 +7,13 @@ namespace orbweaver::surface {
 
 namespace {
 
-bool has_box(const WideNode& node, std::size_t i) noexcept { return node.planes[0][i] <= node.planes[1][i]; }
-
 /// Leaves of the tree mark their triangles.
 std::string mark_leaf(std::uint32_t child, std::vector<std::uint8_t>& marks) {
     const std::size_t first = leaf_first(child);
     const std::size_t end = first + leaf_count(child);
+    if (leaf_count(child) > kLeafMost)
+        return "a leaf of the tree has " + std::to_string(leaf_count(child)) + " triangles; expected at most " +
+               std::to_string(kLeafMost);
     if (end > marks.size())
         return "a leaf of the tree ends at triangle " + std::to_string(end) + " of " +
                std::to_string(marks.size());
@@ -33,7 +34,7 @@ std::string nodes_fault(const WideTree& tree) {
                     return "node " + std::to_string(n) + " of the tree has a child without a box";
                 continue;
             }
-            if ((child & kLeafBit) != 0) {
+            if (is_leaf(child)) {
                 if (std::string fault = mark_leaf(child, marks); !fault.empty()) return fault;
             } else if (child <= n || child >= tree.nodes.size()) {
                 return "node " + std::to_string(n) + " of the tree has node " + std::to_string(child) +

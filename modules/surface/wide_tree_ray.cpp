@@ -51,7 +51,7 @@ public:
     ORBWEAVER_INLINE SurfaceHit run() noexcept {
         std::uint32_t child = 0;
         do {
-            while ((child & kLeafBit) == 0)
+            while (!is_leaf(child))
                 if (!descend(child)) return nearest_.hit();
             try_leaf(child);
         } while (pop(child));
@@ -60,8 +60,21 @@ public:
 
 private:
     ORBWEAVER_INLINE void try_leaf(std::uint32_t child) noexcept {
-        for (const WideTriangle& each : tree_.triangles.subspan(leaf_first(child), leaf_count(child)))
-            nearest_.try_face(ray_, FarCorners(set_.vertices.data(), each.corners), each.face);
+        const std::size_t first = leaf_first(child), count = leaf_count(child);
+        const double* corners = &tree_.corners[9 * first];
+        __builtin_prefetch(&tree_.triangles[first]);  // asked for after the corners
+        const auto many = ray_.meet_many([&](std::size_t axis, std::size_t corner) {
+            return load(corners + 3 * count * axis + count * corner);
+        });
+        for (unsigned near = many.near & ((1U << count) - 1); near != 0; near &= near - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(near));
+            const WideTriangle& each = tree_.triangles[first + i];
+            if ((many.beside >> i & 1U) != 0) [[unlikely]]
+                nearest_.try_face(ray_, FarCorners(set_.vertices.data(), each.corners), each.face);
+            else
+                nearest_.try_crossing(Lanes{many.edges[0][i], many.edges[1][i], many.edges[2][i], 0},
+                                      {many.scale[i], many.distance[i]}, each.face);
+        }
         if (nearest_.crosses()) reach_ = box_.in_tree(nearest_.reach());
     }
 

@@ -26,15 +26,16 @@ ORBWEAVER_INLINE void store(double* to, const Lanes& lanes) noexcept { std::memc
 
 ORBWEAVER_INLINE Lanes in_all(double value) noexcept { return Lanes{value, value, value, value}; }
 
+using LaneBits = std::int64_t __attribute__((vector_size(32)));
+inline constexpr std::int64_t kLaneSign = std::numeric_limits<std::int64_t>::min();
+
 ORBWEAVER_INLINE Lanes absolute(const Lanes& of) noexcept {
-    using Bits = std::int64_t __attribute__((vector_size(32)));
-    return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(of) & std::numeric_limits<std::int64_t>::max());
+    return reinterpret_cast<Lanes>(reinterpret_cast<LaneBits>(of) & ~kLaneSign);
 }
-/// `sizes`, none below 0, with the signs of `of`.
-ORBWEAVER_INLINE Lanes with_signs_of(const Lanes& of, const Lanes& sizes) noexcept {
-    using Bits = std::int64_t __attribute__((vector_size(32)));
-    constexpr std::int64_t kSign = std::numeric_limits<std::int64_t>::min();
-    return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(sizes) | (reinterpret_cast<Bits>(of) & kSign));
+/// With the other sign where `by` has one.
+ORBWEAVER_INLINE Lanes flipped_by(const Lanes& by, const Lanes& of) noexcept {
+    return reinterpret_cast<Lanes>(reinterpret_cast<LaneBits>(of) ^
+                                   (reinterpret_cast<LaneBits>(by) & kLaneSign));
 }
 
 /// Bit i is the sign of lane i.

@@ -6,6 +6,7 @@
 #include "every_triangle.hpp"
 #include "fcl_tree.hpp"
 #include "obj_mesh.hpp"
+#include "ready_parts.hpp"
 #include "shapes.hpp"
 #include "watertight.hpp"
 #include "wide_tree.hpp"
@@ -188,6 +189,29 @@ TEST_CASE("both trees say what every triangle tried in turn says, of rays that h
         CHECK(hits > kRays / 10);
         CHECK(hits < kRays * 9 / 10);
     }
+}
+
+TEST_CASE("a tree from a file answers as the one that was made, once its corners are", "[unit]") {
+    const auto data = test::built(test::read_obj(ORBWEAVER_MESHES "/fandisk.obj"));
+    const mesh::SurfaceMesh mesh = data.view();
+    const TriangleSet set = triangles_of(mesh);
+    const WideTreeData made = build_wide_tree(set);
+    const ReadyParts parts(mesh, WideTree{made.frame, made.nodes, made.triangles});
+    CHECK(parts.tree_bytes() == 0);
+    const Vec3 middle = 0.5 * (mesh.bounds.min + mesh.bounds.max);
+    const Placement place{norm(mesh.bounds.max - middle), middle};
+    const RandomStream random(5, "rays");
+    std::uint64_t n = 0;
+    int hits = 0, differ = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const SurfaceRay ray = any_ray(random, n, place);
+        const SurfaceHit truth = first_hit(made.view(), set, ray), hit = first_hit(*parts.tree(), set, ray);
+        hits += truth.answer == Answer::found;
+        differ += hit.answer != truth.answer || hit.at.face != truth.at.face || hit.distance != truth.distance;
+    }
+    CHECK(hits > 10);
+    CHECK(differ == 0);
+    CHECK(parts.tree_bytes() >= 9 * sizeof(double) * set.triangles.size());
 }
 
 TEST_CASE("a hit tells distance, place and weights, on either face", "[unit]") {

@@ -92,6 +92,8 @@ TEST_CASE("a tree that does not fit its mesh is told in words", "[unit]") {
         {[](WideTreeData& t) { t.nodes.back().children[0] = leaf(119, 4); },
          "a leaf of the tree ends at triangle 123 of 120"},
         {[](WideTreeData& t) { t.nodes.back().children[0] = leaf(0, 1); }, " of the tree is in "},
+        {[](WideTreeData& t) { t.nodes.back().children[0] = leaf(0, 5); },
+         "a leaf of the tree has 5 triangles; expected at most 4"},
         {[](WideTreeData& t) { t.triangles[0].face = t.triangles[1].face; },
          " in the tree is not the mesh's, or is there twice"},
         {[](WideTreeData& t) { t.triangles[0].corners[0] = 9999; },
