@@ -8,8 +8,6 @@ namespace orbweaver::inscription {
 
 namespace {
 
-constexpr double kGaps = 0.1;  ///< of a scene that asks for random gaps alone
-
 /// Takes what the scene says; leaves alone what it does not.
 class Taker {
 public:
@@ -48,7 +46,6 @@ TargetRecipe target_recipe(const Options& options) {
     taker.take("margin", recipe.margin);
     taker.take("font", recipe.font);
     taker.take("line_spacing", recipe.line_spacing);
-    if (options.has("mode") && options.text("mode") == "random_gaps") recipe.gaps = kGaps;
     taker.take("gaps", recipe.gaps);
     if (recipe.text && options.has("lines") && options.text("lines") == "words")
         std::replace(recipe.text->begin(), recipe.text->end(), ' ', '\n');

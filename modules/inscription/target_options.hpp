@@ -7,10 +7,9 @@ namespace orbweaver::inscription {
 
 /// The recipe that a scene's options name: `target` (a picture or a baked file), `text`, `threshold`, `invert`,
 /// `low_pass`, `margin`, `font`, `weight`, `align`, `line_spacing`, `gaps`, `gaps_seed` and `resolution` (of
-/// the raster's sides). With `lines = "words"` each space of the text becomes a new line; `mode =
-/// "random_gaps"` has gaps of 0.1 unless it says otherwise. What a manifest does not declare, and what the
-/// scene leaves out of what has no default, is as in TargetRecipe. Throws Fault(invalid) where both `target`
-/// and `text` are given, or nothing at all is.
+/// the raster's sides). With `lines = "words"` each space of the text becomes a new line. What a manifest does
+/// not declare, and what the scene leaves out of what has no default, is as in TargetRecipe. Throws
+/// Fault(invalid) where both `target` and `text` are given, or nothing at all is.
 TargetRecipe target_recipe(const Options& options);
 
 }  // namespace orbweaver::inscription

@@ -3,13 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <iterator>
 
 #include "orbweaver/fault.hpp"
-#include "study/reading.hpp"
 #include "study/subject.hpp"
-#include "study/web_pictures.hpp"
 
 namespace orbweaver::study {
 
@@ -23,9 +19,6 @@ constexpr const char* kReading =
     "on one fine raster, whatever raster it worked on. Lower left is better. Of the ways of the thesis those "
     "that take "
     "silk are judged by their negative. Times are medians of processor time.";
-
-constexpr double kPixelsPerBlur = 6;  ///< of a photograph, in the deviation of the blur
-constexpr double kMargin = 1.5;       ///< blurs around a block
 
 using Effort = WritingWays::Effort;
 
@@ -71,82 +64,6 @@ private:
     WritingWays::Outcome last_;
 };
 
-std::string in_one_line(std::string text) {
-    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
-    std::replace(text.begin(), text.end(), '\n', '/');
-    return text;
-}
-
-bool same_place(const std::vector<WritingWays::Block>& one, const std::vector<WritingWays::Block>& other) {
-    return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](const auto& a, const auto& b) {
-        return a.middle == b.middle && a.right == b.right && a.up == b.up;
-    });
-}
-
-/// Has pictures of webs read.
-class Readings {
-public:
-    Readings(const StudySettings& settings, const Reader& reader, const WritingWays& writing,
-             const std::vector<double>& times)
-        : run_(settings.run), reader_(reader), writing_(writing), times_(times) {
-        run_.request.collects.clear();
-    }
-
-    /// Of one way, as it is and blurred, beside the same places of the web without inscription.
-    std::vector<ReadingRow> of(const TradeRow& written) {
-        RunSettings run = run_;
-        run.overrides.push_back(fmt::format("inscription.mode=\"{}\"", written.way));
-        const std::vector<BlockPictures> pictures = pictures_of(run, written.outcome.blocks);
-        if (!same_place(plain_blocks_, written.outcome.blocks)) {
-            RunSettings plain = run_;
-            plain.removals.push_back("inscription");
-            plain_blocks_ = written.outcome.blocks;
-            plain_ = pictures_of(plain, plain_blocks_);
-        }
-        const bool dark = written.outcome.contrast >= 1;
-        const std::size_t blocks = written.outcome.blocks.size();
-        std::vector<ReadingRow> rows;
-        for (const bool blurred : {false, true})
-            for (std::size_t i = 0; i < times_.size(); ++i) {
-                const std::string read = text_of(&pictures[i * blocks], blocks, blurred, dark);
-                const std::string plain = text_of(&plain_[i * blocks], blocks, blurred, dark);
-                rows.push_back({written.way, times_[i], blurred, in_one_line(read),
-                                character_error_rate(read, writing_.text()),
-                                character_error_rate(plain, writing_.text())});
-            }
-        return rows;
-    }
-
-private:
-    /// Time by time, block by block.
-    std::vector<BlockPictures> pictures_of(const RunSettings& run,
-                                           const std::vector<WritingWays::Block>& blocks) const {
-        const double blur = writing_.blur();
-        std::vector<BlockPictures> all;
-        for (auto& at_a_time : photograph(run, {blocks, kMargin * blur, blur, blur / kPixelsPerBlur}, times_))
-            std::move(at_a_time.begin(), at_a_time.end(), std::back_inserter(all));
-        return all;
-    }
-
-    std::string text_of(const BlockPictures* blocks, std::size_t count, bool blurred, bool dark) const {
-        std::string text;
-        for (std::size_t i = 0; i < count; ++i) {
-            picture::GrayPicture picture = blurred ? blocks[i].blurred : blocks[i].plain;
-            if (!dark)
-                for (std::uint8_t& shade : picture.shades) shade = static_cast<std::uint8_t>(255 - shade);
-            text += reader_.read(picture);
-        }
-        return text;
-    }
-
-    RunSettings run_;
-    const Reader& reader_;
-    const WritingWays& writing_;
-    const std::vector<double>& times_;
-    std::vector<WritingWays::Block> plain_blocks_;
-    std::vector<BlockPictures> plain_;  ///< of those blocks, without inscription
-};
-
 std::string trade_sentence(const WritingsResult& result) {
     std::string said;
     for (const TradeRow& row : result.trade)
@@ -185,12 +102,12 @@ void read_all(const StudySettings& settings, const WritingWays& writing, const s
                                    : "nothing was read: PATH has no tesseract; install tesseract-ocr");
         return;
     }
-    Readings readings(settings, *reader, writing, times);
+    WebReadings readings(settings.run, *reader, writing.text(), writing.blur(), times);
     for (const TradeRow& written : result.trade) {
         if (!written.setting.empty()) continue;
         if (deadline.passed())
             return sentences.push_back(written.way + " and what follows it was not read for lack of time");
-        const auto rows = readings.of(written);
+        const auto rows = readings.of(written.way, written.outcome);
         result.readings.insert(result.readings.end(), rows.begin(), rows.end());
         sentences.push_back(reading_sentence(result, written.way));
     }

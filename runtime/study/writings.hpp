@@ -5,6 +5,7 @@
 
 #include "orbweaver/contracts/writing_ways.hpp"
 #include "study/ways.hpp"
+#include "study/web_readings.hpp"
 
 namespace orbweaver::study {
 
@@ -13,17 +14,6 @@ struct TradeRow {
     std::string way;
     std::string setting;  ///< "loss 0.1"; empty: the way has none
     WritingWays::Outcome outcome;
-};
-
-/// How well a reader that is not ours reads in the view's own picture; the plain web's rates are of the same
-/// places.
-struct ReadingRow {
-    std::string way;
-    double time = 0;  ///< s of the run
-    bool is_blurred = false;
-    std::string read;        ///< lines parted by '/'
-    double error = 0;        ///< rate of characters, see character_error_rate()
-    double plain_error = 0;  ///< of the web without inscription
 };
 
 struct WritingsResult {

@@ -3,13 +3,14 @@
 
 #include "program.hpp"
 #include "run/snapshot.hpp"
+#include "sanitized.hpp"
 #include "shipped_scenes.hpp"
 
 using namespace orbweaver;
 
 namespace {
 
-constexpr int kFrames = 24;
+constexpr int kFrames = kSanitized ? 6 : 24;
 
 std::uint64_t hash_after(OpenScene& scene, int frames) {
     for (int i = 0; i < frames; ++i) scene.session->step();

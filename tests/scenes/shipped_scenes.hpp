@@ -1,8 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -11,8 +14,14 @@
 
 namespace orbweaver {
 
+/// The path of a scene that ships, whose assets are ready from then on.
 inline std::string scene_path(const std::string& name) {
-    return std::string(ORBWEAVER_SOURCE_DIR) + "/assets/scenes/" + name + ".toml";
+    const std::string path = std::string(ORBWEAVER_SOURCE_DIR) + "/assets/scenes/" + name + ".toml";
+    static std::set<std::string> ready;
+    const std::string bake = std::string(ORBWEAVER_ASSETS_PROGRAM) + " bake '" + path + "' > /dev/null 2>&1";
+    if (ready.insert(path).second && std::system(bake.c_str()) != 0)
+        throw std::runtime_error("orbweaver-assets bake " + path + " failed");
+    return path;
 }
 
 /// The names of all scenes that ship, sorted.

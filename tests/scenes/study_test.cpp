@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "sanitized.hpp"
 #include "scratch.hpp"
 #include "shipped_scenes.hpp"
 #include "study/accuracy.hpp"
@@ -15,10 +16,12 @@ using namespace orbweaver::study;
 
 namespace {
 
+constexpr double kPatience = kSanitized ? 10 : 1;  ///< sanitizers slow down what deadlines do not wait for
+
 struct StudiedScene {
     StudySettings settings;
     Interrupt interrupt;
-    Deadline deadline = deadline_in(60, interrupt);
+    Deadline deadline = deadline_in(kPatience * 60, interrupt);
 
     StudiedScene(const std::string& name, const std::vector<std::string>& methods) {
         settings.run.scene_path = scene_path(name);
@@ -47,7 +50,7 @@ TEST_CASE("twins of two methods that may go by tolerance are run by equal steps"
     StudiedScene scene("strand", {"rk4"});
     scene.settings.references = {"tsit5", "tr_bdf2"};
     scene.shorten("0.05");
-    scene.deadline = deadline_in(10, scene.interrupt);
+    scene.deadline = deadline_in(kPatience * 10, scene.interrupt);
     const AccuracyResult result = study_accuracy(scene.settings, Subject(scene.settings), scene.deadline);
     CHECK(result.conditioning.rung.method == "tsit5");
     CHECK(result.conditioning.rung.step > 0);
@@ -64,7 +67,7 @@ TEST_CASE("the web of the thesis leaves its horizon within tenths of a second, a
     scene.settings.run.overrides.insert(scene.settings.run.overrides.end(),
                                         {"scene.step=10 ms", "web.spiral.density=1",
                                          "web.spokes.placement=14 mm", "web.outer_frame.placement=10 mm"});
-    scene.deadline = deadline_in(40, scene.interrupt);
+    scene.deadline = deadline_in(kPatience * 40, scene.interrupt);
     const AccuracyResult result = study_accuracy(scene.settings, Subject(scene.settings), scene.deadline);
     CHECK_FALSE(result.conditioning.whole);
     CHECK(result.conditioning.horizon_s < 0.1);

@@ -6,6 +6,7 @@
 
 #include "bodies.hpp"
 #include "orbweaver/fault.hpp"
+#include "sanitized.hpp"
 #include "simulation.hpp"
 
 using bodies::Body;
@@ -334,7 +335,9 @@ TEST_CASE("every method holds, substeps, refuses or stops in words in every extr
         {"a spring is cut",     "SHHHHHHHHEH HHH", "oHHHHHHHHEH", kSmooth, leave_alone, 1e-6, 2e-4, kFrame, 8, true},
     };
     // clang-format on
-    for (const Case& each : cases) {
+    constexpr std::size_t kStride = kSanitized ? 3 : 1;
+    for (std::size_t i = 0; i < std::size(cases); i += kStride) {
+        const Case& each = cases[i];
         INFO(each.name);
         const References references(each);
         CHECK(run_row(each, OnUnstable::substep, references) == each.substep);

@@ -7,6 +7,7 @@
 #include "fcl_tree.hpp"
 #include "obj_mesh.hpp"
 #include "ready_parts.hpp"
+#include "sanitized.hpp"
 #include "shapes.hpp"
 #include "watertight.hpp"
 #include "wide_tree.hpp"
@@ -111,7 +112,7 @@ TEST_CASE("no ray at a vertex or an edge is missed, at any scale and offset", "[
         const Ball ball = rough_ball(8, place.radius, place.middle);
         for (const bool at_edges : {false, true}) {
             CAPTURE(place.radius, place.middle.x, at_edges);
-            const Tally tally = shoot(ball, place, at_edges, 100'000);
+            const Tally tally = shoot(ball, place, at_edges, repetitions(100'000));
             CHECK(tally.missed == 0);
             CHECK(tally.fcl_missed == 0);
             CHECK(tally.worst <= 1e-12);
@@ -137,7 +138,7 @@ TEST_CASE("a hundred thousand rays at vertices and as many at edges of real mesh
         int missed = 0, fcl_missed = 0, differ = 0;
         double worst = 0;
         std::uint64_t n = 0;
-        for (int i = 0; i < 200'000; ++i) {
+        for (int i = 0; i < repetitions(200'000); ++i) {
             const Corners& c = set.triangles[random.bits(n++) % set.triangles.size()];
             const double t = i % 2 == 0 ? 0 : random.uniform(n++);
             const Vec3 target = set.vertices[c[0]] + t * (set.vertices[c[1]] - set.vertices[c[0]]);

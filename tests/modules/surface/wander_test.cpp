@@ -8,6 +8,7 @@
 #include "obj_mesh.hpp"
 #include "orbweaver/random.hpp"
 #include "ready_parts.hpp"
+#include "sanitized.hpp"
 #include "shapes.hpp"
 
 using namespace orbweaver;
@@ -79,7 +80,7 @@ void check_wander(const mesh::RawMesh& raw, int side) {
     mesh::SurfaceMeshData joined = data;
     mesh::join(joined, found);
     REQUIRE(found.border_edges == 0);
-    constexpr int kSteps = 250'000;
+    constexpr int kSteps = repetitions(250'000);
     const Wander result = wander(data.view(), side, kSteps);
     CHECK(result.lost == 0);
     CHECK(result.through == 0);
@@ -185,13 +186,13 @@ TEST_CASE("a quarter of a million steps each over the open ones, whose borders e
         const auto data = built(read_obj(std::string(ORBWEAVER_MESHES "/") + name + ".obj"));
         const mesh::SurfaceMesh mesh = data.view();
         const ReadyParts parts(mesh);
-        constexpr int kSteps = 250'000, kWalks = 50;
+        constexpr int kSteps = repetitions(250'000), kWalks = 50;
         OpenWander result;
         for (std::uint32_t walk = 0; walk < kWalks; ++walk)  // so that every shell has some
             wander_open(mesh, parts, static_cast<std::uint32_t>(walk * mesh.triangles.size() / kWalks),
                         kSteps / kWalks, result);
         CHECK(result.lost == 0);
-        CHECK(result.borders > 100);
+        CHECK(result.borders > kSteps / 2500);
         CHECK(result.ended_elsewhere == 0);
         CHECK(result.turned_over == 0);
         CHECK(result.worst_off <= 1e-9);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "run/interrupt.hpp"
+#include "sanitized.hpp"
 #include "study/subject.hpp"
 #include "study/time_budget.hpp"
 #include "support/folder.hpp"
@@ -18,7 +19,7 @@ struct OscillatorScene {
     Folder folder;
     study::StudySettings settings;
     Interrupt interrupt;
-    study::Deadline deadline = study::deadline_in(60, interrupt);
+    study::Deadline deadline = study::deadline_in(kSanitized ? 600 : 60, interrupt);
 
     explicit OscillatorScene(const std::string& options = "") {
         spdlog::set_level(spdlog::level::warn);
