@@ -172,15 +172,68 @@ void turn_body(const Conduct& conduct, const Vec3& wanted_up, double dt, Creatur
     state.spin = dot(cross(carried, state.forward), up) / dt;  // the sine of so little is the angle
 }
 
+/// What a frame changes of where a body is, before its feet step.
+struct Carriage {
+    Ground ground;
+    UpTurn turn;
+    Vec3 forward, shift;
+    double spin, bend;
+
+    explicit Carriage(const CreatureState& state) noexcept
+        : ground(state.ground),
+          turn(state.turn),
+          forward(state.forward),
+          shift(state.shift),
+          spin(state.spin),
+          bend(state.bend) {}
+    void put_back(CreatureState& state) const noexcept {
+        state.ground = ground;
+        state.turn = turn;
+        state.forward = forward;
+        state.shift = shift;
+        state.spin = spin;
+        state.bend = bend;
+    }
+};
+
 /// Moves the body off what it would come too near to, and back to its height in a moment where there is
-/// nothing.
+/// nothing; m, by which it is still below the surface.
 double hold_body(const Surface& surface, const Conduct& conduct, double dt, CreatureState& state) noexcept {
-    constexpr double kMost = 0.8, kMoment = 0.15;  // of the legs' length; s
-    state.shift = std::max(0.0, 1 - dt / kMoment) * state.shift + state.sway;
-    BodyPose unshifted = pose_of(conduct, state);
-    unshifted.position -= state.shift;
-    return keep_off(surface, conduct.species->shape, state.ground.footing, unshifted,
-                    kMost * mean_leg_length(*conduct.species), state.shift);
+    constexpr double kOfLegs = 0.8, kOfBody = 0.6, kMoment = 0.15;  // s
+    const Species& species = *conduct.species;
+    const double most = std::max(kOfLegs * mean_leg_length(species), kOfBody * body_length(species));
+    double below = 0;
+    // Where it finds no way out from where it is, it may from its place.
+    for (const Vec3& from : {std::max(0.0, 1 - dt / kMoment) * state.shift + state.sway, state.sway}) {
+        state.shift = from;
+        BodyPose unshifted = pose_of(conduct, state);
+        unshifted.position -= from;
+        below = keep_off(surface, species.shape, state.ground.footing, unshifted, most, state.shift);
+        if (below == 0) break;
+    }
+    return below;
+}
+
+/// The body where there is room for it. Who came to where there is none goes back, and turns where it was, or
+/// goes on and does not turn; who can do neither stays as it was. Who had no room before goes on.
+void find_room(const Moment& now, const Carriage& before) noexcept {
+    CreatureState& state = now.state;
+    const auto fits = [&] { return hold_body(now.surface, now.conduct, now.dt, state) == 0; };
+    const double depth_before = state.depth;
+    state.depth = hold_body(now.surface, now.conduct, now.dt, state);
+    if (state.depth == 0 || depth_before > 0) return;
+    state.depth = 0;
+    ++now.measures.turned_aside;
+    const Ground moved = state.ground;
+    state.ground = before.ground;
+    state.shift = before.shift;
+    if (!fits()) {
+        before.put_back(state);
+        state.ground = moved;
+        if (fits()) return;
+        before.put_back(state);
+    }
+    state.ground.velocity = -1 * state.ground.velocity;
 }
 
 /// m, in dt s: who is out of balance, or nearly so, leans towards where it is in balance.
@@ -205,11 +258,12 @@ double degrees_turned(const BodyPose& from, const BodyPose& to) noexcept {
 /// What a frame is compared with that comes after it.
 struct Before {
     BodyPose pose;
+    Vec3 place;  ///< m, of the ground under it
     std::array<double, kMaxLegs> progress;
     std::array<Vec3, kMaxLegs> feet;
 
     Before(const Conduct& conduct, const CreatureState& state) noexcept
-        : pose(pose_of(conduct, state)), progress(state.progress) {
+        : pose(pose_of(conduct, state)), place(state.ground.footing.position), progress(state.progress) {
         for (std::size_t leg = 0; leg < conduct.species->limbs.size(); ++leg) feet[leg] = state.feet[leg].place;
     }
     /// m, the farthest that a foot slipped which stood then and stands now.
@@ -235,7 +289,7 @@ void place_creature(const Surface& surface, const Conduct& conduct, const Footin
     state.ground.footing = footing;
     state.ground.facing = state.forward = footing.forward;
     state.turn.up = state.turn.to = footing.up;
-    hold_body(surface, conduct, 0, state);
+    state.depth = hold_body(surface, conduct, 0, state);
     place_feet(surface, conduct, state);
 }
 
@@ -259,22 +313,23 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
                      measures,
                      feel_reach(species),
                      feel_ground(surface, species, state.ground)};
+    const Carriage carriage(state);
     move_where_it_holds(now, steer(now));
     if (!company.command) face_ahead(conduct.turn_rate * dt, state.ground);
     turn_body(conduct, company.orients ? now.feel.up : state.turn.to, dt, state);
     bend_back(conduct, dt, state);
-    const double below = hold_body(surface, conduct, dt, state);
+    find_room(now, carriage);
     step_feet(surface, conduct, dt, state, measures);
     ++measures.frames;
     const Support support = support_of(conduct, state);
     state.sway = sway_of(conduct, support, state, dt);
     const double margin = std::max(support.margin, -species.height);
     if (margin < 0) ++measures.unstable_frames;
-    if (below > 0) ++measures.penetrating_frames;
+    if (state.depth > 0) ++measures.penetrating_frames;
     measures.margins += margin;
     measures.least_margin = std::min(measures.least_margin, margin);
-    measures.distance += norm(state.ground.velocity) * dt;
-    measures.worst_penetration = std::max(measures.worst_penetration, below);
+    measures.distance += distance(before.place, state.ground.footing.position);
+    measures.worst_penetration = std::max(measures.worst_penetration, state.depth);
     measures.worst_slip = std::max(measures.worst_slip, before.slip(state, species.limbs.size()));
     measures.worst_turn = std::max(measures.worst_turn, degrees_turned(before.pose, pose_of(conduct, state)));
 }

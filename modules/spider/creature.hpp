@@ -66,6 +66,7 @@ struct CreatureState {
     UpTurn turn;
     Vec3 forward{1, 0, 0};  ///< unit, across the body's up
     Vec3 shift;             ///< m, by which the body keeps off what it would come too near to
+    double depth = 0;       ///< m, by which the body is below the surface all the same
     double spin = 0;        ///< rad/s, of the body about its up, to the left
     Vec3 sway;              ///< m, by which it is going to lean towards the middle of its feet
     double strain = 0;      ///< of the standing leg that is strained the most: see strain_of()

@@ -24,6 +24,7 @@ void each_number(CreatureState& state, std::size_t legs, Each&& each) {
                     &state.ground.facing, &state.forward, &state.shift, &state.sway, &state.turn.up,
                     &state.turn.from, &state.turn.to, &state.wander.point})
         vector(*v);
+    each(state.depth);
     each(state.bend);
     each(state.turn.step);
     each(state.turn.steps);

@@ -31,7 +31,7 @@ SurfaceStride feel_along(const Surface& surface, const Ground& ground, const Vec
 /// Whether a body finds room there.
 bool has_headroom(const Surface& surface, const Footing& there, double headroom) noexcept {
     constexpr double kOff = 1e-3;  // of it, so that the ray does not begin in the ground
-    const Vec3 start = there.position + kOff * headroom * there.up;
+    const Vec3 start = next_to(surface, there, kOff * headroom);
     return surface.first_hit({start, there.up, headroom}).answer != Answer::found;
 }
 
@@ -53,6 +53,20 @@ bool is_too_low(const Surface& surface, const Footing& there, double headroom) n
 }
 
 }  // namespace
+
+Vec3 next_to(const Surface& surface, const Footing& ground, double off) noexcept {
+    constexpr double kIn = 4;         // times as far into the face as above it
+    constexpr double kSharpest = 10;  // times as far from the edges: of a crease of 6 degrees and more
+    const auto& corners = surface.faces()[ground.at.face];
+    const Vec3 &a = surface.vertices()[corners[0]], &b = surface.vertices()[corners[1]],
+               &c = surface.vertices()[corners[2]];
+    const Vec3 in = (a + b + c) / 3 - ground.position;
+    const double far = norm(in), share = far > 0 ? std::min(1.0, kIn * off / far) : 1;
+    // Of a place so far in, each weight is at least a third of the share.
+    const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+    const double from_edges = share / 3 * norm(cross(b - a, c - a)) / longest;
+    return ground.position + share * in + std::min(off, from_edges / kSharpest) * ground.up;
+}
 
 SurfaceStride stride_along(const Surface& surface, Footing ground, const Vec3& way, double length,
                            std::span<StrideCorner> corners) noexcept {

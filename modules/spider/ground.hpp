@@ -13,6 +13,11 @@ struct Ground {
     Vec3 facing{1, 0, 0};  ///< unit, across up: where the head is
 };
 
+/// A place in the open next to somebody who stands, from where a look around begins: less than `off` m above
+/// the face, and farther from its edges than that. Right above a crease up leads through the face that meets
+/// it.
+Vec3 next_to(const Surface& surface, const Footing& ground, double off) noexcept;
+
 /// How a move ended.
 enum class MoveEnd : std::uint8_t {
     moved,

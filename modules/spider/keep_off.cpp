@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "ground.hpp"
+
 namespace orbweaver::spider {
 namespace {
 
@@ -64,18 +66,13 @@ public:
     }
 
 private:
-    /// The thorax's middle, seen from where the creature stands.
+    /// The thorax's middle, seen from next to where the creature stands.
     bool root_is_free() noexcept {
         constexpr double kOff = 1e-3;  // of the height, so that nothing begins in the ground
         const double height = distance(root_, ground_.position);
-        const SurfaceHit near = surface_.closest_point(root_, height * (1 - kOff));
-        const double free = near.answer == Answer::found ? near.distance : height * (1 - kOff);
-        const Vec3 start = ground_.position + kOff * height * ground_.up;
-        if (near.answer == Answer::found && !space_.touches(root_, free) &&
-            hides(start, root_, shape_.parts[0].balls[0].radius))
-            return false;
-        space_.add(root_, free);
-        return true;
+        const Vec3 start = next_to(surface_, ground_, kOff * height);
+        space_.add(start, 0);
+        return look(start, root_, shape_.parts[0].balls[0].radius, height) >= 0;
     }
 
     /// `place(point)` is where a point of the body's frame is.
@@ -83,11 +80,11 @@ private:
     void probe(const BodyPart& part, const Vec3& up, const Place& place) noexcept {
         const double reach = part.around.radius;
         const Vec3 middle = place(part.around.center);
-        if (space_.holds(middle, reach) || look(middle, part.balls[0].radius, reach) >= reach) return;
+        if (space_.holds(middle, reach) || look(root_, middle, part.balls[0].radius, reach) >= reach) return;
         look_from_above(middle, up, reach);
         for (const Ball& ball : part.balls) {
             const Vec3 center = place(ball.center);
-            if (!space_.holds(center, ball.radius)) look(center, ball.radius, reach);
+            if (!space_.holds(center, ball.radius)) look(root_, center, ball.radius, reach);
         }
     }
 
@@ -99,12 +96,12 @@ private:
         if (space_.touches(high, free)) space_.add(high, free);
     }
 
-    /// m, from the middle of a ball to the surface, or `reach` if it is farther; below 0 where it is beyond.
-    /// What overlaps is noted.
-    double look(const Vec3& center, double radius, double reach) noexcept {
+    /// m, from the middle of a ball to the surface, or `reach` if it is farther; -1 where it is beyond, seen
+    /// from a free place. What overlaps is noted.
+    double look(const Vec3& from, const Vec3& center, double radius, double reach) noexcept {
         const SurfaceHit near = surface_.closest_point(center, reach);
         const double free = near.answer == Answer::found ? near.distance : reach;
-        if (!space_.touches(center, free) && hides(root_, center, radius)) return -free;
+        if (!space_.touches(center, free) && hides(from, center, radius)) return -1;
         space_.add(center, free);
         if (free < radius && free > 0) note(radius - free, (center - surface_.position(near.at)) / free);
         return free;
@@ -147,11 +144,15 @@ double penetration(const Surface& surface, const BodyShape& shape, const Footing
 double keep_off(const Surface& surface, const BodyShape& shape, const Footing& ground,
                 const BodyPose& unshifted, double most, Vec3& shift) noexcept {
     constexpr int kPushes = 40;
+    constexpr double kGrowth =
+        1.05;  // of each push over the one before: who goes to and fro gets out in the end
     const double spare = kSpare * distance(unshifted.position, ground.position);
     Prober prober(surface, shape, ground);
     Overlap overlap = prober.deepest(shifted(unshifted, shift));
+    double grown = 1;
     for (int i = 0; i < kPushes && overlap.depth > 0; ++i) {
-        shift += (overlap.depth + spare) * overlap.way;
+        shift += (grown * overlap.depth + spare) * overlap.way;
+        grown *= kGrowth;
         const double length = norm(shift);
         if (length > most) shift *= most / length;
         overlap = prober.deepest(shifted(unshifted, shift));

@@ -17,6 +17,9 @@ BodyPose above(const Footing& ground, const Vec3& forward, double height) {
     return {ground.position + height * ground.up, forward, ground.up, cross(forward, ground.up)};
 }
 
+/// Along the ground, as high as a huntsman is carried.
+BodyPose pose_above(const Footing& ground) { return above(ground, ground.forward, 0.011); }
+
 BodyPose moved(BodyPose pose, const Vec3& by) {
     pose.position += by;
     return pose;
@@ -128,4 +131,42 @@ TEST_CASE("where a body has no room the penetration that is left is told", "[uni
     CHECK(keep_off(tube.surface(), huntsman.shape, ground, above(ground, {1, 0, 0}, 0.004), 0.04, shift) >
           0.001);
     CHECK(norm(shift) <= 0.04 * (1 + 1e-12));
+}
+
+TEST_CASE("in a crease sharper than a right angle a body is on the side on which its creature stands",
+          "[unit]") {
+    const Land cliff(mesh::cliff(1, 4));  // y = 0 where x < 0, and a wall that leans out over it: x = -y / 2
+    const Species huntsman = creature("huntsman");
+    const Vec3 wall_up = Vec3{-2, -1, 0} / std::sqrt(5.0);
+    for (const double off : {1e-3, 1e-5, 1e-7, 1e-12}) {
+        INFO(off);
+        const Footing below = cliff.stand({-off, 0, 0.03}, {0, 1, 0}, {0, 0, 1});
+        const Footing above = cliff.stand({-off, 2 * off, 0.03}, wall_up, {0, 0, 1});
+        for (const Footing& ground : {below, above}) {
+            const BodyPose beyond = pose_above(ground);
+            CHECK(penetration(cliff.surface(), huntsman.shape, ground, beyond) > 0.004);
+            Vec3 shift;
+            CHECK(keep_off(cliff.surface(), huntsman.shape, ground, beyond, 0.04, shift) == 0);
+            const Vec3 p = beyond.position + shift;
+            CHECK(p.y > 0);
+            CHECK(p.x < -p.y / 2);
+        }
+    }
+}
+
+TEST_CASE("a body comes out of a valley as narrow as itself", "[unit]") {
+    const Species tarantula = creature("tarantula");
+    mesh::RawMesh valley;  // of two walls, 20 degrees from upright
+    const double out = std::tan(20 * kDegree);
+    valley.points = {{-out, 1, -1}, {0, 0, -1}, {out, 1, -1}, {-out, 1, 1}, {0, 0, 1}, {out, 1, 1}};
+    valley.material_names = {"rock"};
+    valley.add_polygon({0, 3, 4, 1});
+    valley.add_polygon({1, 4, 5, 2});
+    const Land land(valley);
+    const Footing ground = land.stand({0.002, 0.002 / out, 0}, {-1, 0, 0}, {0, 0, 1});
+    const Vec3 up{0, 1, 0}, forward{1, 0, 0};  // across it
+    Vec3 shift;
+    const BodyPose low{ground.position + 0.01 * up, forward, up, cross(forward, up)};
+    CHECK(keep_off(land.surface(), tarantula.shape, ground, low, 0.2, shift) == 0);
+    CHECK(penetration(land.surface(), tarantula.shape, ground, moved(low, shift)) == 0);
 }
