@@ -75,8 +75,9 @@ SurfaceStride stride_along(const Surface& surface, Footing ground, const Vec3& w
 }
 
 MoveEnd move(const Surface& surface, double dt, double headroom, Vec3 way, Ground& ground) noexcept {
+    constexpr double kStill = 1e-7;  // m/s: who has come to an edge does not go to and fro over it for ever
     const double speed = norm(way);
-    if (speed == 0) return MoveEnd::moved;
+    if (speed < kStill) return MoveEnd::moved;
     Footing from = ground.footing;
     from.forward = way / speed;
     const SurfaceStep step = surface.stride(from, speed * dt, {}).step;

@@ -31,8 +31,10 @@ Arrival across_edge(const Vec3& a, double to_a, const Vec3& b, double to_b, cons
     const Vec3 in = off / width;
     const double s_along = (to_a * to_a - to_b * to_b + length * length) / (2 * length);
     const double square = to_a * to_a - s_along * s_along;
-    if (square < 0) return {};
-    const double depth = std::sqrt(square), height = dot(place - a, in), p_along = dot(place - a, along);
+    if (square < -kRounding * (to_a * to_a + length * length)) return {};
+    // Where the wave comes along the edge, rounding may leave it on this side.
+    const double depth = std::sqrt(std::max(0.0, square)), height = dot(place - a, in),
+                 p_along = dot(place - a, along);
     if (!(depth + height > 0)) return {};
     const double crossing = s_along + (p_along - s_along) * depth / (depth + height);
     if (crossing < -kRounding * length || crossing > (1 + kRounding) * length) return {};

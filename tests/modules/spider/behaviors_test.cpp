@@ -45,6 +45,21 @@ TEST_CASE("who is to arrive stops there, on level land and on a plateau above an
     }
 }
 
+TEST_CASE("who arrives on an edge of the mesh stands there, as still as elsewhere", "[unit]") {
+    const Land land(mesh::cube(0.4, 1));
+    for (const Vec3 to : {Vec3{0.05, 0.2, 0.05}, Vec3{0.2, 0.2, 0}}) {
+        Conduct conduct = purposeful();
+        conduct.behaviors.arrive = goal(land, to);
+        conduct.behaviors.slowing = 0.05;
+        Walker walker(land, conduct, {-0.1, 0.2, 0.12}, {0, 1, 0}, {1, 0, 0});
+        walker.walk(22);
+        const Vec3 place = pose_of(walker.conduct, walker.state).position;
+        CHECK(distance(walker.position(), to) < 1e-6);
+        walker.walk(5);
+        CHECK(distance(pose_of(walker.conduct, walker.state).position, place) < 1e-6);
+    }
+}
+
 TEST_CASE("who seeks comes by, at full speed", "[unit]") {
     const Land land(mesh::cube(2, 4));
     Conduct conduct = purposeful();

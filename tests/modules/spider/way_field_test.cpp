@@ -39,6 +39,27 @@ TEST_CASE("over a cube's edge the way is the straight line of the unfolded sides
     }
 }
 
+TEST_CASE("a target on an edge of the mesh is seen where it is, from all around", "[unit]") {
+    for (const std::uint32_t n : {1U, 2U, 5U}) {
+        INFO(n);
+        const Land cube(mesh::cube(0.4, n));
+        for (const Vec3 goal :
+             {Vec3{0.2, 0.2, 0}, Vec3{0.05, 0.2, 0.05}, Vec3{0, 0.2, 0}, Vec3{0.2, 0.2, 0.2}}) {
+            const WayField field(cube.surface(), at(cube, goal));
+            const auto check = [&](const Vec3& from) {
+                const Vec3 way = field.seen_from(at(cube, from)) - from;
+                CHECK(norm(way) == Approx(distance(goal, from)).margin(1e-9));
+            };
+            for (const double off : {0.1, 1e-3, 1e-6, 1e-9})
+                for (const double aside : {-1.0, 0.0, 0.3, 1.0}) {
+                    INFO(off << " " << aside);
+                    check(goal + Vec3{-off, 0, -aside * off});
+                    if (goal.x == 0.2) check(goal + Vec3{0, -off, -aside * off * (goal.z == 0 ? 1 : 0)});
+                }
+        }
+    }
+}
+
 TEST_CASE("ways round a sphere are great circles, the better the finer it is", "[unit]") {
     double last = 1;
     for (const std::uint32_t n : {8U, 32U}) {
