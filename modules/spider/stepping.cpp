@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aim.hpp"
 #include "rotor.hpp"
 
 namespace orbweaver::spider {
@@ -67,6 +68,17 @@ StepTimes step_times(const Pace& pace) noexcept {
             std::min(pace.duty / pace.frequency, kLongest)};
 }
 
+/// For a foot at a place of the body's frame. Its last bone, for a solver that cares, lies as at rest, in the
+/// plane through root and foot: one that no leg's plane has is out of reach.
+LegTarget target_at(const Conduct& conduct, const Limb& limb, const Vec3& place) noexcept {
+    LegTarget target{to_limb(limb, place)};
+    if (!conduct.solver->orients) return target;
+    LegPose facing = rest_pose(limb.leg);
+    face(limb.leg, target.position, foot_side(limb.leg, facing), facing);
+    target.orientation = foot_frame(limb.leg, facing);
+    return target;
+}
+
 Foothold foothold_for(const Stepping& walk, const Limb& limb, const Vec3& wanted, const BodyPose& landing,
                       double search) noexcept {
     LegSolverOptions options;
@@ -77,7 +89,7 @@ Foothold foothold_for(const Stepping& walk, const Limb& limb, const Vec3& wanted
         if (distance(hold.position, to_world(landing, limb.base)) > kMostStretch * limb.leg.length)
             return false;
         LegPose pose = rest_pose(limb.leg);
-        const LegTarget target{to_limb(limb, from_world(landing, hold.position))};
+        const LegTarget target = target_at(walk.conduct, limb, from_world(landing, hold.position));
         return walk.conduct.solver->solve(limb.leg, target, options, pose).answer == LegAnswer::reached;
     };
     return find_foothold(walk.surface, walk.conduct.footholds, walk.state.ground.footing, walk.body.up, wanted,
@@ -158,15 +170,13 @@ void advance_swings(const Stepping& walk, double dt) noexcept {
         if (lifted[leg] != 0 || (landed[leg] != 0 && !foot.holds)) begin_swing(walk, leg);
         if (motion_of(gait, leg) == LegMotion::swings)
             foot.place = foot_at(*walk.conduct.path, foot.swing, gait.progress[leg]);
-        else
-            ++walk.measures.feet_down;
     }
 }
 
 using LegResults = std::array<LegResult, kMaxLegs>;
 
 LegTarget target_of(const Stepping& walk, std::size_t leg) noexcept {
-    return {to_limb(walk.limb(leg), from_world(walk.body, walk.state.feet[leg].place))};
+    return target_at(walk.conduct, walk.limb(leg), from_world(walk.body, walk.state.feet[leg].place));
 }
 
 LegResults solve_one_by_one(const Stepping& walk) noexcept {
@@ -203,6 +213,7 @@ void reach_feet(const Stepping& walk) noexcept {
         measures.worst_joint = std::max(measures.worst_joint, violation(limb.leg, pose));
         if (walk.state.progress[leg] >= 0) continue;
         if (results[leg].answer == LegAnswer::reached) {
+            ++measures.feet_down;
             measures.worst_reach = std::max(measures.worst_reach, results[leg].error / limb.leg.length);
             continue;
         }

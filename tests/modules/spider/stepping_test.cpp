@@ -109,6 +109,31 @@ TEST_CASE("legs that are solved side by side step as those solved one after the 
     CHECK(numbers_of(first) == numbers_of(second));
 }
 
+TEST_CASE("whatever solves its legs, a huntsman walks on its feet", "[unit]") {
+    const Land cube(mesh::cube(0.3, 4));
+    for (const LegSolver& solver : leg_solvers()) {
+        INFO(solver.name);
+        Conduct conduct = walking(huntsman());
+        conduct.solver = &solver;
+        const CreatureMeasures measures = wandered(cube, conduct, 1, {0, 1, 0}, 1);
+        CHECK(static_cast<double>(measures.feet_down) > 5.0 * static_cast<double>(measures.frames));
+        CHECK(measures.forced_steps < measures.steps / 10);
+        CHECK(measures.worst_reach <= 1e-6);
+    }
+}
+
+TEST_CASE("a foot that its leg no longer reaches does not count as one that stands", "[unit]") {
+    const Land floor(mesh::cube(2, 2));
+    const Conduct conduct = walking(huntsman());
+    CreatureState state;
+    CreatureMeasures measures;
+    place_creature(floor.surface(), conduct, floor.stand({0, 1, 0}, {0, 1, 0}, {1, 0, 0}), state);
+    state.shift = {0, 1, 0};
+    step_feet(floor.surface(), conduct, kFrame, state, measures);
+    CHECK(measures.forced_steps >= 4);
+    CHECK(measures.feet_down == 0);
+}
+
 TEST_CASE("a foot is strained by how far it is from where it expected to stand, or its leg by its length",
           "[unit]") {
     const Limb& limb = huntsman().limbs[0];
