@@ -45,7 +45,8 @@ void Neighbors::find_columns(std::size_t column, Cell offset) noexcept {
 std::size_t Neighbors::around(std::size_t i, std::span<Vec3> near) const noexcept {
     std::size_t count = 0;
     const Vec3& here = positions_[i];
-    if (!is_finite(here)) return 0;
+    if (!is_finite(here) || near.empty()) return 0;
+    const auto is_nearer = [&](const Vec3& a, const Vec3& b) { return distance(here, a) < distance(here, b); };
     const Columns& columns = columns_[i];
     std::size_t column = 0;
     for (std::int64_t dx = -1; dx <= 1; ++dx)
@@ -53,9 +54,16 @@ std::size_t Neighbors::around(std::size_t i, std::span<Vec3> near) const noexcep
             const Cell last = columns.cell + dx * kNextX + dy * kNextY + 1;
             for (std::size_t at = columns.begin[column++]; at < cells_.size() && cells_[at].cell <= last;
                  ++at) {
-                if (count == near.size()) return count;
                 const Vec3& other = positions_[cells_[at].index];
-                if (cells_[at].index != i && distance(here, other) < reach_) near[count++] = other;
+                if (cells_[at].index == i || !(distance(here, other) < reach_)) continue;
+                if (count < near.size()) {
+                    near[count++] = other;
+                    if (count == near.size()) std::make_heap(near.begin(), near.end(), is_nearer);
+                } else if (is_nearer(other, near.front())) {
+                    std::pop_heap(near.begin(), near.end(), is_nearer);  // the farthest makes room
+                    near.back() = other;
+                    std::push_heap(near.begin(), near.end(), is_nearer);
+                }
             }
         }
     return count;

@@ -16,8 +16,8 @@ class Neighbors {
 public:
     /// Of creatures at `positions` (m), which outlive the next calls, each seeing as far as `reach` m (> 0).
     void gather(std::span<const Vec3> positions, double reach);
-    /// Puts the places of others within the reach of creature `i` into `near`, nearest cells' in order of their
-    /// numbers, as many as fit; returns how many those are.
+    /// Puts the places of others within the reach of creature `i` into `near`, the nearest of them where not
+    /// all fit; returns how many those are.
     std::size_t around(std::size_t i, std::span<Vec3> near) const noexcept;
     std::size_t memory_bytes() const noexcept {
         return cells_.capacity() * sizeof(Entry) + columns_.capacity() * sizeof(Columns);

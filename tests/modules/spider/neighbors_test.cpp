@@ -34,6 +34,23 @@ TEST_CASE("everybody sees all others within the reach, and no one else", "[unit]
     CHECK(pairs > 500);
 }
 
+TEST_CASE("where not all fit the nearest are told, on whichever side they are", "[unit]") {
+    std::vector<Vec3> grid;
+    for (int x = -6; x <= 6; ++x)
+        for (int z = -6; z <= 6; ++z) grid.push_back({0.01 * x, 0, 0.01 * z});
+    Neighbors neighbors;
+    neighbors.gather(grid, 0.1);
+    std::vector<Vec3> near(20);  // as many as are within 2 sqrt(2) steps, but for the four at 2.24 and more
+    const std::size_t middle = grid.size() / 2;
+    REQUIRE(neighbors.around(middle, near) == near.size());
+    Vec3 sum;
+    for (const Vec3& each : near) {
+        CHECK(norm(each) < 0.0224);
+        sum += each;
+    }
+    CHECK(norm(sum) < 1e-15);
+}
+
 TEST_CASE("no more are told than there is room for, and who is nowhere is nobody's neighbor", "[unit]") {
     constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
     const std::vector<Vec3> crowd{{0, 0, 0}, {0.1, 0, 0}, {kNowhere, 0, 0}, {0, 0.1, 0}, {1e300, 0, 0}};
