@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "leg_solver.hpp"
 #include "orbweaver/fault.hpp"
 #include "plan/table_reader.hpp"
 #include "rotor.hpp"
@@ -274,11 +275,35 @@ private:
     Diagnostics& faults_;
 };
 
+/// Legs have to reach the ground below the body, at the height at which it is carried.
+void check_stance(const Species& species, const Location& where, Diagnostics& faults) {
+    if (!(species.height > 0)) {
+        faults.push_back({where,
+                          fmt::format("the feet at rest are {:.3g} mm above the thorax's middle, on average",
+                                      -1000 * species.height),
+                          "feet below it", "turn the legs' joints down at rest, or their bases"});
+        return;
+    }
+    for (const Limb& limb : species.limbs) {
+        const Vec3 foot{limb.stance.x, -species.carriage, limb.stance.z};
+        LegPose pose = rest_pose(limb.leg);
+        const LegResult result =
+            find_leg_solver("half_jacobian")->solve(limb.leg, {to_limb(limb, foot)}, {}, pose);
+        if (result.answer == LegAnswer::reached) continue;
+        faults.push_back({where,
+                          fmt::format("leg {} does not reach the ground, {:.3g} mm below the thorax's middle: "
+                                      "{:.3g} mm are missing",
+                                      limb.name, 1000 * species.carriage, 1000 * result.error),
+                          "feet that stand", "give it longer bones or wider limits, or the body less depth"});
+    }
+}
+
 std::optional<Species> read_species(const Node& root, const std::string& name, Diagnostics& faults) {
     Diagnostics found;
     Species species = SpeciesReader(found).read(root, name);
     faults.insert(faults.end(), found.begin(), found.end());
     if (!found.empty()) return std::nullopt;
+    const std::size_t faults_before = faults.size();
     constexpr double kThickness = 0.031;  // of a leg's length
     if (species.coat.leg == 0) species.coat.leg = kThickness * mean_leg_length(species);
     species.shape = shape_of(species.body);
@@ -290,7 +315,8 @@ std::optional<Species> read_species(const Node& root, const std::string& name, D
     }
     constexpr double kClear = 1.15;  // of what hangs below the thorax's middle: who is fat stands taller
     species.carriage = std::max(species.height, kClear * depth_of(species.shape));
-    return species;
+    check_stance(species, root.where, faults);
+    return faults.size() > faults_before ? std::nullopt : std::optional(species);
 }
 
 /// Faults that the reader of TOML throws are whole sentences.

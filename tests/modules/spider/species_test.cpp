@@ -219,6 +219,18 @@ TEST_CASE("a bad species file is told all that is wrong with it, and where", "[u
           "bad.toml:4:8: 'duty' is larger at top speed than at rest; expected the larger first",
           "bad.toml:5:10: 'stride' is longer at rest than at top speed; expected the shorter first",
           "bad.toml:6:1: a walk has no key 'legs'"}},
+        {"feet above the body",
+         kBody + kJoints3 + kPair + "joints.femur = { limits = [0, 2], comfort = [0, 1.5], rest = 1 }\n" +
+             kWalk,
+         {"bad.toml:1:1: the feet at rest are 5.94 mm above the thorax's middle, on average; expected feet "
+          "below "
+          "it; turn the legs' joints down at rest, or their bases"}},
+        {"a belly deeper than legs reach",
+         "[body]\nhead = [0.002, 0.001, 0.002]\nthorax = [0.004, 0.1, 0.004]\nabdomen = [0.008, 0.005, "
+         "0.006]\n" +
+             kJoints3 + kPair + kWalk,
+         {"bad.toml:1:1: leg R1 does not reach the ground, ",
+          "bad.toml:1:1: leg L1 does not reach the ground, "}},
         {"a coat of no stuff",
          "[coat]\nhair = \"1 s\"\nlegs = [1, 2, 0]\neyes = [[0, 0, 0, 0], 3]\nfur = 1\n" + kBody + kJoints3 +
              kPair + kWalk,
