@@ -106,7 +106,7 @@ Vec3 obey(const Moment& now, const Command& command, double careful) noexcept {
     const Vec3 left = cross(ground.footing.up, ground.facing);
     ground.facing = cos_degrees(degrees) * ground.facing + sin_degrees(degrees) * left;
     const Vec3 way = command.speed < 0 ? -1 * ground.facing : ground.facing;
-    const double sight = std::abs(command.speed) * kForesight;
+    const double sight = std::min(std::abs(command.speed), now.conduct.pace.top_speed) * kForesight;
     if (sight == 0 || is_open(now.surface, ground.footing, way, sight, now.conduct.gravity))
         return careful * command.speed * ground.facing;
     ++now.measures.turned_aside;
@@ -167,7 +167,7 @@ void turn_body(const Conduct& conduct, const Vec3& wanted_up, double dt, Creatur
     state.spin = 0;
     if (length < kLeast) return;
     const Vec3 carried = state.forward;
-    const double left = std::sqrt(most_degrees * most_degrees - turned * turned);
+    const double left = std::sqrt(std::max(0.0, most_degrees * most_degrees - turned * turned));
     state.forward = turned_about(up, carried, ahead / length, left);
     state.spin = dot(cross(carried, state.forward), up) / dt;  // the sine of so little is the angle
 }
@@ -282,6 +282,23 @@ BodyPose pose_of(const Conduct& conduct, const CreatureState& state) noexcept {
     const Vec3& up = state.turn.up;
     return {state.ground.footing.position + conduct.species->carriage * up + state.shift, state.forward, up,
             cross(state.forward, up), state.bend};
+}
+
+const char* not_finite(const Conduct& conduct, const CreatureState& state) noexcept {
+    const BodyPose pose = pose_of(conduct, state);
+    if (!is_finite(pose.position)) return "position";
+    if (!is_finite(pose.forward)) return "forward";
+    if (!is_finite(pose.up)) return "up";
+    for (std::size_t leg = 0; leg < conduct.species->limbs.size(); ++leg)
+        if (!is_finite(state.feet[leg].place)) return "a foot";
+    return nullptr;
+}
+
+bool stands_on(const Surface& surface, const CreatureState& state) noexcept {
+    constexpr double kRounding = 1e-9;  // of the surface's size
+    const Footing& footing = state.ground.footing;
+    return footing.at.face < surface.faces().size() &&
+           distance(surface.position(footing.at), footing.position) <= kRounding * surface.size();
 }
 
 void place_creature(const Surface& surface, const Conduct& conduct, const Footing& footing,

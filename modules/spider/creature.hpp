@@ -82,6 +82,12 @@ struct CreatureState {
 
 BodyPose pose_of(const Conduct& conduct, const CreatureState& state) noexcept;
 
+/// What of a creature is not finite that others see: "position", "forward", "up", "a foot"; null: nothing.
+const char* not_finite(const Conduct& conduct, const CreatureState& state) noexcept;
+
+/// Whether a creature of a restored state stands where this surface is.
+bool stands_on(const Surface& surface, const CreatureState& state) noexcept;
+
 /// Puts a creature on the surface, all feet down under its rest pose.
 void place_creature(const Surface& surface, const Conduct& conduct, const Footing& footing,
                     CreatureState& state) noexcept;

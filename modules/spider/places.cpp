@@ -21,7 +21,7 @@ Places::Places(const Surface& surface, const Vec3& gravity, double apart, const 
 }
 
 Places::Found Places::found(const Vec3& point, const Vec3& heading, bool on_front) const noexcept {
-    const SurfaceHit hit = surface_.closest_point(point, 2 * norm(high_ - low_) + norm(point));
+    const SurfaceHit hit = surface_.closest_point(point, HUGE_VAL);
     if (hit.answer != Answer::found) return {};
     const Vec3 away = point - surface_.position(hit.at), normal = surface_.normal(hit.at.face);
     const bool behind = !on_front && norm(away) > 1e-9 && dot(away, normal) < 0;

@@ -19,7 +19,7 @@ public:
     /// Where the surface is nearest to `point` (m), on the side of it on which that is; facing along `heading`
     /// as nearly as the surface lets it. It holds on there, or `holds` is false.
     struct Found {
-        SurfaceStep place;
+        SurfaceStep place;  ///< its answer is `found`, or there is no surface to stand on
         bool holds = false;
     };
     Found near(const Vec3& point, const Vec3& heading) const noexcept;

@@ -15,6 +15,7 @@
 #include "orbweaver/contracts/skins.hpp"
 #include "orbweaver/contracts/workers.hpp"
 #include "orbweaver/entry.hpp"
+#include "orbweaver/fault.hpp"
 #include "places.hpp"
 #include "sketch.hpp"
 #include "skin.hpp"
@@ -67,12 +68,18 @@ public:
         const std::optional<Command> command = command_now(frame.time);
         orients_ = frame.index % conduct_.orient_every == 0;
         for_each([&](std::size_t i) { advance_one(i, i == 0 ? command : std::nullopt, frame.step); });
+        check_state(frame);
         keep_state();
     }
 
     void restored() override {
-        for (std::size_t i = 0; i < creatures_.size(); ++i)
+        for (std::size_t i = 0; i < creatures_.size(); ++i) {
             read_numbers(&numbers_[i * per_creature_], species_.limbs.size(), creatures_[i]);
+            if (!stands_on(*surface_, creatures_[i]))
+                throw Fault(FaultKind::invalid,
+                            "creature " + std::to_string(i) + " of '" + name_ +
+                                "' does not stand on this surface: the state was saved on another one");
+        }
     }
 
     void report(ModuleReport& report) override {
@@ -169,10 +176,12 @@ private:
             const Places::Found found = asked ? places.near(options.vector("position"), *heading)
                                               : places.at_random(i, creatures_.size(), heading);
             if (!found.holds) {
+                const bool there = found.place.answer == Answer::found;
                 host.report_fault({options.where(asked ? "position" : "count"),
                                    "creature " + std::to_string(i) +
-                                       (asked ? " cannot hold on to the surface where it is placed"
-                                              : " finds no place on the surface to hold on to"),
+                                       (!asked  ? " finds no place on the surface to hold on to"
+                                        : there ? " cannot hold on to the surface where it is placed"
+                                                : " has no surface to stand on where it is placed"),
                                    "", ""});
                 return false;
             }
@@ -239,6 +248,16 @@ private:
                               command,
                               orients_};
         advance_creature(*surface_, conduct_, company, dt, creatures_[i], measures_[i]);
+    }
+
+    /// Nothing leaves that is not finite: what is kept is the state of the frame before.
+    void check_state(const orbweaver::Frame& frame) const {
+        for (std::size_t i = 0; i < creatures_.size(); ++i)
+            if (const char* what = not_finite(conduct_, creatures_[i]))
+                throw Fault(FaultKind::diverged, "creature " + std::to_string(i) + " of '" + name_ + "': its " +
+                                                     what +
+                                                     " is not finite after t = " + std::to_string(frame.time) +
+                                                     " s, in a step of " + std::to_string(frame.step) + " s");
     }
 
     /// Only when all have advanced: they look at where others were.

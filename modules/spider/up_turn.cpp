@@ -86,11 +86,13 @@ void turn_up(const Vec3& wanted, const Vec3& forward, TurnCurve curve, std::uint
             return;
         }
         const double needed = degrees_between(turn.up, wanted) * steepest(curve) / most_degrees;
-        constexpr double kMost = 1e6;
+        constexpr double kMost = 4e9;  // slower than that is not at all
+        turn.steps = 0;
+        if (!(needed < kMost)) return;
         turn.from = turn.up;
         turn.to = wanted;
         turn.step = 0;
-        turn.steps = std::max({1U, steps, static_cast<std::uint32_t>(std::min(needed, kMost)) + 1});
+        turn.steps = std::max(steps, static_cast<std::uint32_t>(needed) + 1);
     }
     ++turn.step;
     if (turn.step >= turn.steps) {

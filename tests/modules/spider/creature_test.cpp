@@ -221,6 +221,33 @@ TEST_CASE("a creature that was saved and restored walks on as the one that never
     CHECK(end == second_end);
 }
 
+TEST_CASE("who hardly turns walks on, and whatever of it is not finite is named", "[unit]") {
+    const Land cube(mesh::cube(0.3, 4));
+    for (const double rate : {1e-3, 1e-9}) {
+        Conduct conduct = walking(huntsman());
+        conduct.turn_rate = rate;
+        const RandomStream random(1, "slow");
+        CreatureState state;
+        CreatureMeasures measures;
+        place_creature(cube.surface(), conduct, cube.stand({0, 1, 0}, {0, 1, 0}, {1, 0, 0.3}), state);
+        for (int i = 0; i < 300; ++i) {
+            advance_creature(cube.surface(), conduct, {random, {}}, kFrame, state, measures);
+            REQUIRE(not_finite(conduct, state) == nullptr);
+        }
+        CHECK(measures.worst_turn < 0.01 * kFrame + 1e-6);
+    }
+    const Conduct conduct = walking(huntsman());
+    CreatureState bad;
+    CHECK(not_finite(conduct, bad) == nullptr);
+    bad.feet[7].place.z = std::nan("");
+    CHECK(std::string(not_finite(conduct, bad)) == "a foot");
+    bad.turn.up.x = std::nan("");
+    CHECK(std::string(not_finite(conduct, bad)) == "position");  // which up leads to
+    bad = {};
+    bad.forward.y = HUGE_VAL;
+    CHECK(std::string(not_finite(conduct, bad)) == "forward");
+}
+
 TEST_CASE("who stands has its weight among its feet", "[unit]") {
     const Conduct conduct = walking(huntsman());
     const Land land(mesh::room(0.5, 4));

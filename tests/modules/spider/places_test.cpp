@@ -39,6 +39,14 @@ TEST_CASE("a place near a point is on the point's side, and faces as asked or as
     CHECK(std::abs(beside.place.end.forward.x) < 1e-12);
 }
 
+TEST_CASE("a point finds the surface however far it is", "[unit]") {
+    const Land far(mesh::transformed(mesh::cube(1, 2), 1, {1000, 0, 0}));
+    const Places places(far.surface(), kGravity, 0.1, RandomStream(1, "places"));
+    const Places::Found found = places.near({0, 0, 0}, {0, 0, 1});
+    CHECK(found.holds);
+    CHECK(distance(found.place.end.position, {999.5, 0, 0}) < 1e-9);
+}
+
 TEST_CASE("where there is room those placed at random are apart", "[unit]") {
     const Land cube(mesh::cube(1, 4));
     Places places(cube.surface(), kGravity, 0.1, RandomStream(1, "places"));

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "orbweaver/contracts/creatures.hpp"
+#include "run/snapshot.hpp"
 #include "scene/toml_reader.hpp"
 #include "shipped_scenes.hpp"
 
@@ -63,6 +64,32 @@ TEST_CASE("a script turns the head by its rate times its time, to the left, and 
     CHECK(heading(opened.state("forward")[0]) == Approx(60).margin(1e-6));
     opened.run(1.0);
     CHECK(heading(opened.state("forward")[0]) == Approx(60 - 0.5 * 180 / std::acos(-1.0)).margin(1e-6));
+}
+
+TEST_CASE("who is told to go faster than it can goes as fast as it can", "[unit]") {
+    const Opened opened("[[spider]]\n" + kStill + "speed = 0.1\ncontrol = [{ speed = 50 }]\n");
+    opened.run(4);
+    CHECK(norm(opened.state("velocity")[0]) == Approx(0.1).epsilon(1e-6));
+    CHECK(opened.position().x > 0.35);
+}
+
+TEST_CASE("a state is not restored onto another surface", "[unit]") {
+    const Opened hill("[[spider]]\n", "shape = \"height_field\"\nsubdivision = 100");
+    hill.run(1);
+    const std::string saved = save_snapshot(*hill.session);
+    for (const char* other :
+         {"shape = \"height_field\"\nsubdivision = 2", "shape = \"cube\"\nsubdivision = 200"}) {
+        const Opened changed("[[spider]]\n", other);
+        try {
+            restore_snapshot(*changed.session, saved, "saved");
+            FAIL("it was restored");
+        } catch (const Fault& fault) {
+            CHECK(fault.kind() == FaultKind::invalid);
+            CHECK(std::string(fault.what()).find("does not stand on this surface") != std::string::npos);
+        }
+    }
+    const Opened same("[[spider]]\n", "shape = \"height_field\"\nsubdivision = 100");
+    CHECK(restore_snapshot(*same.session, saved, "saved"));
 }
 
 TEST_CASE("nobody turns faster by hand than its turn rate", "[unit]") {

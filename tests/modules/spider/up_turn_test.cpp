@@ -61,6 +61,17 @@ TEST_CASE("no step turns by more than the set rate, whatever is asked when", "[u
     }
 }
 
+TEST_CASE("however low the rate, no step turns by more, and none at all where that is nothing", "[unit]") {
+    for (const double most : {1e-5, 1e-7, 1e-12}) {
+        UpTurn turn;
+        for (int i = 0; i < 1000; ++i) {
+            turn_up({1, 0, 0}, {0, 0, 1}, TurnCurve::linear, 12, most, turn);
+            CHECK(turn.up.x <= (i + 1) * most * M_PI / 180 * (1 + 1e-6));
+        }
+        CHECK((turn.up.x > 0) == (most > 1e-9));
+    }
+}
+
 TEST_CASE("a new polygon before the turn has ended begins another from where the body is", "[unit]") {
     UpTurn turn;
     for (int i = 0; i < 5; ++i) turn_up({1, 0, 0}, {0, 0, 1}, TurnCurve::linear, 10, 90, turn);
