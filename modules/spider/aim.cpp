@@ -7,8 +7,6 @@ namespace orbweaver::spider {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 double into_turn(double angle) noexcept {
     if (angle > kPi) return angle - 2 * kPi;
     return angle < -kPi ? angle + 2 * kPi : angle;

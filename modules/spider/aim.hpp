@@ -5,7 +5,7 @@
 
 namespace orbweaver::spider {
 
-/// What is left of a target once it is known where it lies, in leg lengths; the same for one leg and for four.
+/// What is left of a target once it is known where it lies, in leg lengths; the same for one leg and for lanes.
 template <class Real>
 struct Aim {
     Triple<Real> at;    ///< no further than the leg is long

@@ -8,7 +8,6 @@
 namespace orbweaver::spider {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kResponse = 0.2;  // s: a foot more or less on the ground does not jerk the back
 
 /// Body frame, m, of the feet of legs [begin, end) that stand.
@@ -38,7 +37,7 @@ double wanted_bend(const Conduct& conduct, const CreatureState& state) noexcept 
 }
 
 void bend_back(const Conduct& conduct, double dt, CreatureState& state) noexcept {
-    const double most = conduct.turn_rate * (kPi / 180) * dt;
+    const double most = conduct.turn_rate * kDegree * dt;
     const double wish = (wanted_bend(conduct, state) - state.bend) * std::min(1.0, dt / kResponse);
     state.bend += std::clamp(wish, -most, most);
 }

@@ -9,6 +9,7 @@
 #include "orbweaver/exact_math.hpp"
 #include "rotor.hpp"
 #include "stepping.hpp"
+#include "unit.hpp"
 
 namespace orbweaver::spider {
 namespace {
@@ -58,8 +59,7 @@ struct Moment {
 Vec3 wish(const Moment& now, const Agent& agent) noexcept {
     const Behaviors& wants = now.conduct.behaviors;
     const Ground& ground = now.state.ground;
-    const double speed = norm(ground.velocity);
-    const Vec3 ahead = speed > 0 ? ground.velocity / speed : ground.facing;
+    const Vec3 ahead = unit_or(ground.velocity, ground.facing);
     Vec3 wandering, along_wall;
     if (wants.wander > 0)
         wandering = clear_of_borders(
@@ -251,8 +251,7 @@ double degrees_turned(const BodyPose& from, const BodyPose& to) noexcept {
     const auto square = [](const Vec3& v) { return dot(v, v); };
     const double sine = std::sqrt(
         (square(to.forward - from.forward) + square(to.up - from.up) + square(to.right - from.right)) / 8);
-    constexpr double kDegree = 57.29577951308232;
-    return 2 * kDegree * angle_of(std::sqrt(std::max(0.0, 1 - sine * sine)), sine);
+    return 2 / kDegree * angle_of(std::sqrt(std::max(0.0, 1 - sine * sine)), sine);
 }
 
 /// What a frame is compared with that comes after it.

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "species.hpp"
+
 namespace orbweaver::spider {
 namespace {
 
 constexpr double kStands = -1;
 constexpr double kDue = -2;  // stands, and has missed its start
-constexpr std::size_t kMostFeet = 16;
 
 /// Into [0, 1).
 double wrapped(double phase) noexcept {
@@ -31,7 +32,7 @@ bool neighbors_stand(const GaitState& state, std::size_t leg) noexcept {
 
 /// m, `later` s from now, of the feet that stand but one.
 double margin_without(const GaitState& state, const GaitTick& tick, std::size_t leg, double later) noexcept {
-    std::array<SupportPoint, kMostFeet> feet;
+    std::array<SupportPoint, kMaxLegs> feet;
     std::size_t count = 0;
     for (std::size_t i = 0; i < tick.feet.size(); ++i)
         if (i != leg && state.progress[i] < 0)

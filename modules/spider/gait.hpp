@@ -9,9 +9,9 @@
 
 namespace orbweaver::spider {
 
-/// When the legs of a cycle step: legs are numbered in pairs from front to back, left before right (L1 R1 L2 R2
-/// ...). A leg starts `lag` of a cycle after the one behind it on its side, and the right one of a pair
-/// `opposite` of a cycle after the left one.
+/// When the legs of a cycle step: legs are numbered in pairs from front to back, right before left (R1 L1 R2 L2
+/// ...). A leg starts `lag` of a cycle after the one behind it on its side, and the left one of a pair
+/// `opposite` of a cycle after the right one.
 struct Gait {
     std::string_view name;  ///< as scenes write it
     double lag = 0;

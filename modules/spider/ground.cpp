@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "unit.hpp"
 #include "up_turn.hpp"
 
 namespace orbweaver::spider {
@@ -12,12 +13,6 @@ namespace {
 Vec3 carried(const Vec3& v, const Footing& from, const Footing& to) noexcept {
     const Vec3 left = cross(from.up, from.forward), other_left = cross(to.up, to.forward);
     return dot(v, from.forward) * to.forward + dot(v, left) * other_left;
-}
-
-Vec3 unit_or(const Vec3& v, const Vec3& otherwise) noexcept {
-    constexpr double kLeast = 1e-9;
-    const double length = norm(v);
-    return length > kLeast ? v / length : otherwise;
 }
 
 /// Where a stride in that direction ends; the ground itself where there is no answer.
@@ -123,7 +118,7 @@ Feel feel_ahead(const Surface& surface, const Ground& ground, double reach, doub
     feel.corner_distance = first.distance;
     feel.corner_degrees = degrees_between(first.up_before, first.up_after);
     feel.rises = first.rises;
-    const Vec3 along = unit_or(cross(first.up_before, first.up_after), Vec3{});
+    const Vec3 along = unit_or(cross(first.up_before, first.up_after));
     feel.corner_along = dot(along, ground.facing) < 0 ? -1 * along : along;
     return feel;
 }

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <numbers>
+
 #include "real.hpp"
 
 namespace orbweaver::spider {
+
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kDegree = kPi / 180;  // rad
 
 /// A turn in a plane, as cosine and sine.
 template <class Real>
@@ -42,7 +47,6 @@ ORBWEAVER_INLINE Rotor<Real> rotor(const Real& angle) noexcept {
 /// The angle of the direction (c, s), in [-pi, pi] rad; 0 where it has none. Error below 1e-15. By Newton's
 /// iteration on rotor(), from a start that is off by less than 0.04 rad.
 inline double angle_of(double c, double s) noexcept {
-    constexpr double kPi = 3.14159265358979323846;
     const double size = sqrt(c * c + s * s);
     if (!(size > 0)) return 0;
     c /= size;

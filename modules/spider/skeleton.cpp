@@ -8,7 +8,6 @@
 namespace orbweaver::spider {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr double kCalm = 0.15;  // s before it walks on, in which they come to rest
 constexpr double kPalpSwing = 22 * kDegree;
 constexpr double kCheliceraSwing = 5 * kDegree;

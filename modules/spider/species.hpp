@@ -62,9 +62,8 @@ struct Limb {
     Vec3 base;         ///< m, body frame
     Frame axes;        ///< of the leg's frame, in the body frame
     Leg leg;
-    Vec3 home;              ///< m, body frame: the foot in the rest pose
-    Vec3 stance;            ///< m, body frame: the foot in the middle of its stance, see stance_of()
-    std::size_t group = 0;  ///< legs of one group step together
+    Vec3 home;    ///< m, body frame: the foot in the rest pose
+    Vec3 stance;  ///< m, body frame: the foot in the middle of its stance, see stance_of()
 };
 
 /// What a kind of creature is made of.
@@ -75,7 +74,6 @@ struct Species {
     Walk walk;
     Coat coat;
     std::vector<Limb> limbs;  ///< R1 L1 R2 L2 ...
-    std::size_t groups = 0;   ///< one more than the largest group
     double height = 0;        ///< m; the thorax's middle above the feet at rest, on average
     double carriage = 0;      ///< m; how high it is carried: so, or higher where its belly would drag
     double stance_radius =

@@ -17,8 +17,7 @@ namespace orbweaver::spider {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kMostTilt = 80 * kPi / 180;  // at 90 degrees yaw and pitch turn about the same axis
+constexpr double kMostTilt = 80 * kDegree;  // at 90 degrees yaw and pitch turn about the same axis
 
 /// What a file says about one joint, rad, and where.
 struct JointText {
@@ -183,7 +182,7 @@ private:
         return {min, max, comfort_min, comfort_max, stiffness, *rest};
     }
 
-    static double degrees(double angle) { return angle * 180 / kPi; }
+    static double degrees(double angle) { return angle / kDegree; }
 
     void read_legs(const Node* node, const Node& root, const JointTexts& common, Species& species) {
         if (node == nullptr) return missing(root.where, "legs", "[[legs]], one for each pair");
@@ -204,7 +203,6 @@ private:
     void read_pair(const Node& node, const JointTexts& common, Species& species) {
         TableReader reader(node, faults_, "a pair of legs");
         std::array<double, 3> base{};
-        std::array<std::size_t, 2> groups{};
         double heading = 0;
         if (const Node* at = reader.take("base"))
             read_quantities(*at, "base", "m", -10, 10, base, faults_);
@@ -214,10 +212,6 @@ private:
             heading = read_quantity(*turned, "heading", "rad", 0, kPi, faults_).value_or(0);
         else
             missing(node.where, "heading", "an angle from forward to the right");
-        if (const Node* in = reader.take("groups"))
-            read_groups(*in, groups);
-        else
-            missing(node.where, "groups", "[of the right leg, of the left]");
         std::array<double, kBones> bones{};
         if (const Node* lengths = table(reader, "bones", node)) bones = read_bones(*lengths);
         JointTexts own;
@@ -231,26 +225,12 @@ private:
         std::array<JointRange, kJoints> ranges{};
         for (std::size_t j = 0; j < kJoints; ++j)
             if (j <= kPitch || bones[j - kPitch] > 0) ranges[j] = range_of(j, common[j], own[j], node.where);
-        if (faults_.empty()) add_pair({base[0], base[1], base[2]}, heading, bones, ranges, groups, species);
-    }
-
-    void read_groups(const Node& node, std::array<std::size_t, 2>& groups) {
-        const Array* array = node.array();
-        bool whole = array != nullptr && array->size() == 2;
-        for (std::size_t i = 0; whole && i < 2; ++i) {
-            const auto* group = std::get_if<std::int64_t>(&(*array)[i].value);
-            whole = group != nullptr && *group >= 0 && *group < static_cast<std::int64_t>(kMaxLegs);
-            if (whole) groups[i] = static_cast<std::size_t>(*group);
-        }
-        if (!whole)
-            faults_.push_back({node.where, fmt::format("'groups' is {}", show(node)),
-                               fmt::format("[of the right leg, of the left], each 0 to {}", kMaxLegs - 1), ""});
+        if (faults_.empty()) add_pair({base[0], base[1], base[2]}, heading, bones, ranges, species);
     }
 
     /// The left leg is the right one in a mirror, in which turns about y and x change sign.
     static void add_pair(Vec3 base, double heading, const std::array<double, kBones>& bones,
-                         std::array<JointRange, kJoints> ranges, const std::array<std::size_t, 2>& groups,
-                         Species& species) {
+                         std::array<JointRange, kJoints> ranges, Species& species) {
         const std::string number = std::to_string(species.limbs.size() / 2 + 1);
         for (const std::size_t side : {0, 1}) {
             const Rotor<double> turn = rotor(heading);
@@ -260,8 +240,6 @@ private:
             limb.axes = {{turn.c, 0, turn.s}, {0, 1, 0}, {-turn.s, 0, turn.c}};
             limb.leg = make_leg(bones, ranges);
             limb.home = to_body(limb, foot_position(limb.leg, rest_pose(limb.leg)));
-            limb.group = groups[side];
-            species.groups = std::max(species.groups, limb.group + 1);
             species.limbs.push_back(std::move(limb));
             base.z = -base.z;
             heading = -heading;

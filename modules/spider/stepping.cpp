@@ -5,6 +5,7 @@
 
 #include "aim.hpp"
 #include "rotor.hpp"
+#include "unit.hpp"
 
 namespace orbweaver::spider {
 namespace {
@@ -41,7 +42,7 @@ struct Stepping {
           speed(norm(who.ground.velocity)) {
         // Feet move against a body that turns as they do against one that walks.
         pace = pace_at(how.pace, speed + std::abs(who.spin) * how.species->stance_radius);
-        if (speed > 0) way = who.ground.velocity / speed;
+        way = unit_or(who.ground.velocity);
     }
     const Limb& limb(std::size_t leg) const noexcept { return conduct.species->limbs[leg]; }
     std::size_t legs() const noexcept { return conduct.species->limbs.size(); }

@@ -4,11 +4,10 @@
 #include <array>
 
 #include "rotor.hpp"
+#include "unit.hpp"
 
 namespace orbweaver::spider {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 SwingPoint cycloid(double s) noexcept {
     const Rotor<double> turn = rotor(2 * kPi * s - kPi);  // half a turn behind
@@ -31,13 +30,6 @@ SwingPoint creep(double s) noexcept {
     return {1 - (1 - smooth(s)) * (1 - smooth(s)), late};
 }
 
-/// Unit, or nothing where there is no direction.
-Vec3 direction_of(const Vec3& v) noexcept {
-    constexpr double kLeast = 1e-9;
-    const double length = norm(v);
-    return length > kLeast ? v / length : Vec3{};
-}
-
 }  // namespace
 
 std::span<const StridePath> stride_paths() noexcept {
@@ -58,11 +50,10 @@ Vec3 foot_at(const StridePath& path, const Swing& swing, double progress) noexce
     if (progress >= 1) return swing.end;
     const SwingPoint point = path.point(progress);
     const Vec3 way = swing.end - swing.start;
-    const Vec3 along = direction_of(way);
+    const Vec3 along = unit_or(way);
     // The ups of both ends, turned into the plane of the stride.
-    const Vec3 up =
-        direction_of(across((1 - point.along) * swing.start_up + point.along * swing.end_up, along));
-    const Vec3 first = direction_of(across(swing.start_up, along));
+    const Vec3 up = unit_or(across((1 - point.along) * swing.start_up + point.along * swing.end_up, along));
+    const Vec3 first = unit_or(across(swing.start_up, along));
     const Vec3 rise = up == Vec3{} ? first : up;
     return swing.start + point.along * way + swing.height * point.height * rise;
 }

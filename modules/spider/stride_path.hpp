@@ -21,8 +21,8 @@ struct StridePath {
 };
 
 /// cycloid: (t - sin t)/(2 pi), (1 - cos t)/2 with t = 2 pi s, the path of a mark on a wheel's rim (K. Vasin,
-/// Procedural spider animation): lands and lifts without speed. arc: a parabola, passed evenly, for running.
-/// reach: up first, then down from ahead, for searching. creep: low, and slow to come down, for stalking.
+/// Procedural spider animation): lands and lifts without speed. arc: a parabola, passed evenly. reach: up
+/// first, then down from ahead. creep: highest late, and slow at both ends.
 const StridePath* find_stride_path(std::string_view name) noexcept;
 std::span<const StridePath> stride_paths() noexcept;
 

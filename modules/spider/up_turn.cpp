@@ -29,8 +29,7 @@ double eased(TurnCurve curve, double share) noexcept {
 
 /// The most that a step of the curve does, times the number of steps.
 double steepest(TurnCurve curve) noexcept {
-    constexpr double kHalfPi = 1.5707963267948966;
-    return curve == TurnCurve::linear ? 1 : curve == TurnCurve::cosine ? kHalfPi : 1.5;
+    return curve == TurnCurve::linear ? 1 : curve == TurnCurve::cosine ? kPi / 2 : 1.5;
 }
 
 bool is_opposite(const Vec3& a, const Vec3& b) noexcept { return norm(a + b) < 1e-6; }
@@ -45,12 +44,11 @@ Vec3 on_the_way(const UpTurn& turn, const Vec3& forward, double share) noexcept 
 }  // namespace
 
 double degrees_between(const Vec3& a, const Vec3& b) noexcept {
-    constexpr double kDegree = 57.29577951308232;
     if (dot(a, b) < 0) return is_opposite(a, b) ? 180 : 2 * degrees_between(a, middle(a, b));
     const Vec3 quarter = middle(a, middle(a, b));
     const double chord = distance(a, quarter);  // of at most 22.5 degrees
     const double square = chord * chord;
-    return 4 * kDegree * chord * (1 + square * (1.0 / 24 + square * 0.0049));  // 2 asin(chord/2), from above
+    return 4 / kDegree * chord * (1 + square * (1.0 / 24 + square * 0.0049));  // 2 asin(chord/2), from above
 }
 
 Vec3 turned_between(const Vec3& a, const Vec3& b, double share) noexcept {
@@ -65,8 +63,7 @@ Vec3 turned_between(const Vec3& a, const Vec3& b, double share) noexcept {
 }
 
 Vec3 turned_about(const Vec3& up, const Vec3& from, const Vec3& to, double most_degrees) noexcept {
-    constexpr double kRadian = 0.017453292519943295;
-    const Rotor<double> turn = rotor(kRadian * std::min(most_degrees, 180.0));
+    const Rotor<double> turn = rotor(kDegree * std::min(most_degrees, 180.0));
     if (dot(from, to) >= turn.c) return to;
     const Vec3 left = cross(up, from);
     return unit(turn.c * from + (dot(left, to) < 0 ? -turn.s : turn.s) * left);

@@ -10,8 +10,6 @@
 
 namespace orbweaver::spider::test {
 
-inline constexpr double kDegree = 3.14159265358979323846 / 180;
-
 inline const std::array<std::string, 6> kCreatures{"huntsman",   "tarantula", "jumping_spider",
                                                    "harvestman", "ant",       "lizard"};
 

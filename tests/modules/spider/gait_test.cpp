@@ -87,10 +87,10 @@ TEST_CASE("opposite legs of a tetrapod step half a cycle apart, and sets from ba
         const double apart = std::abs(start_of(gait, leg, 8) - start_of(gait, leg + 1, 8));
         CHECK(apart == Approx(0.5));
     }
-    CHECK(start_of(gait, 6, 8) == 0);                    // L4
-    CHECK(start_of(gait, 5, 8) > start_of(gait, 6, 8));  // R3 follows L4
-    CHECK(start_of(gait, 2, 8) > start_of(gait, 5, 8));  // L2 follows R3
-    CHECK(start_of(gait, 1, 8) > start_of(gait, 2, 8));  // R1 follows L2
+    CHECK(start_of(gait, 6, 8) == 0);                    // R4
+    CHECK(start_of(gait, 5, 8) > start_of(gait, 6, 8));  // L3 follows R4
+    CHECK(start_of(gait, 2, 8) > start_of(gait, 5, 8));  // R2 follows L3
+    CHECK(start_of(gait, 1, 8) > start_of(gait, 2, 8));  // L1 follows R2
 }
 
 TEST_CASE("gaits and paces blend without a jump", "[unit]") {
@@ -128,10 +128,10 @@ TEST_CASE("who stops puts its feet down and leaves them there", "[unit]") {
 TEST_CASE("a strained leg steps out of turn, while its neighbors stand", "[unit]") {
     const Gait& gait = *find_gait("tetrapod");
     Walker walker(8, gait);
-    walker.strained = {0, 0, 1, 0, 1, 0, 0, 0};  // L2 and L3 both
+    walker.strained = {0, 0, 1, 0, 1, 0, 0, 0};  // R2 and R3 both
     walker.advance(gait, {0.02, 0, 0.8});
     CHECK(walker.lifted[2] == 1);
-    CHECK(walker.lifted[4] == 0);  // L2 is in the air
+    CHECK(walker.lifted[4] == 0);  // R2 is in the air
     for (int i = 0; i < 12; ++i) {
         walker.advance(gait, {0.02, 0, 0.8});
         walker.strained[2] = 0;
@@ -159,7 +159,7 @@ TEST_CASE("a leg waits whose lift would let the creature fall over, unless it is
     const Gait& gait = *find_gait("tetrapod");
     const auto lifts = [&](bool strained) {
         Walker walker(8, gait);
-        // Without L4 all weight is behind the feet.
+        // Without R4 all weight is behind the feet.
         walker.feet = {{2, -1}, {2, 1}, {2, -1}, {2, 1}, {1, -1}, {1, 1}, {-2, -1}, {0.5, 1}};
         walker.strained[6] = strained ? 1 : 0;
         int lifted = 0;
@@ -188,5 +188,5 @@ TEST_CASE("a leg waits where the creature would fall over before it lands", "[un
         return lifted;
     };
     CHECK(lifts(0) > 0);
-    CHECK(lifts(20) == 0);  // 3 in the 0.15 s of a swing: L1 is one of the last two that it has by then
+    CHECK(lifts(20) == 0);  // 3 in the 0.15 s of a swing: R1 is one of the last two that it has by then
 }

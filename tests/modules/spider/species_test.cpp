@@ -26,7 +26,6 @@ const std::string kPair = R"(
 [[legs]]
 base = ["1 mm", "0.5 mm", "2 mm"]
 heading = "60 deg"
-groups = [0, 1]
 bones = { coxa = "1 mm", femur = "5 mm" }
 )";
 
@@ -57,11 +56,9 @@ TEST_CASE("a species file gives a pair of legs for each of its tables", "[unit]"
     REQUIRE(species);
     CHECK(species->name == "small");
     CHECK(species->body.abdomen == Vec3{0.008, 0.005, 0.006});
-    CHECK(species->groups == 2);
     REQUIRE(species->limbs.size() == 2);
     const Limb& right = species->limbs[0];
     CHECK(right.name == "R1");
-    CHECK(right.group == 0);
     CHECK(right.base == Vec3{0.001, 0.0005, 0.002});
     CHECK(distance(right.axes.x, {0.5, 0, std::sqrt(0.75)}) < 1e-15);
     CHECK(right.leg.length == Approx(0.006));
@@ -121,12 +118,11 @@ TEST_CASE("left legs are right legs in a mirror", "[unit]") {
     }
 }
 
-TEST_CASE("creatures that are shipped stand on their feet, left and right in groups apart", "[unit]") {
+TEST_CASE("creatures that are shipped stand on their feet", "[unit]") {
     for (const std::string& name : kCreatures) {
         INFO(name);
         const Species species = creature(name);
         CHECK(species.limbs.size() == (name == "ant" ? 6 : name == "lizard" ? 4 : 8));
-        CHECK(species.groups == 2);
         CHECK(species.height > 0.3 * species.body.thorax.y);
         for (std::size_t i = 0; i < species.limbs.size(); ++i) {
             const Limb& limb = species.limbs[i];
@@ -134,9 +130,6 @@ TEST_CASE("creatures that are shipped stand on their feet, left and right in gro
             CHECK(violation(limb.leg, rest_pose(limb.leg)) == 0);
             CHECK(std::abs(limb.home.z) > species.body.thorax.z / 2);     // beside the body
             CHECK(limb.home.y == Approx(-species.height).epsilon(0.01));  // level
-            // Alternating: neither the leg across nor the next on this side steps with it.
-            CHECK(limb.group != species.limbs[i ^ 1].group);
-            if (i >= 2) CHECK(limb.group != species.limbs[i - 2].group);
         }
     }
 }
@@ -187,17 +180,15 @@ TEST_CASE("a bad species file is told all that is wrong with it, and where", "[u
           "bad.toml:9:9: 'joints.femur.rest' is missing; expected an angle"}},
         {"legs of nothing",
          kBody + kJoints3 +
-             "[[legs]]\nbones = {}\n[[legs]]\nbase = 1\nheading = 0\ngroups = [0, 16]\nbones = { thigh = 1 "
+             "[[legs]]\nbones = {}\n[[legs]]\nbase = 1\nheading = 0\nbones = { thigh = 1 "
              "}\n" +
              kWalk,
          {"bad.toml:11:1: 'base' is missing; expected [forward, up, right] of the right leg",
           "bad.toml:11:1: 'heading' is missing; expected an angle from forward to the right",
-          "bad.toml:11:1: 'groups' is missing; expected [of the right leg, of the left]",
           "bad.toml:12:9: the leg has no bones; expected at least one",
           "bad.toml:14:8: 'base' is 1; expected an array of 3",
-          "bad.toml:16:10: 'groups' is an array of 2; expected [of the right leg, of the left], each 0 to 15",
-          "bad.toml:17:9: the leg has no bones; expected at least one",
-          "bad.toml:17:11: a leg's bones has no key 'thigh'; expected coxa, femur"}},
+          "bad.toml:16:9: the leg has no bones; expected at least one",
+          "bad.toml:16:11: a leg's bones has no key 'thigh'; expected coxa, femur"}},
         {"no array of legs",
          "legs = 8\n" + kBody + kJoints3 + kWalk,
          {"bad.toml:1:8: 'legs' is 8; expected an array of 1 to 8 pairs"}},
