@@ -143,13 +143,15 @@ Conduct conduct_of(Host& host, const Surface& surface, const Species& species) {
     Conduct conduct;
     conduct.species = &species;
     conduct.gait = find_gait(options.has("gait") ? options.text("gait") : species.walk.gait);
-    conduct.path = find_stride_path(options.text("path"));
+    if (options.has("path")) conduct.path = find_stride_path(options.text("path"));
+    conduct.jitter = options.number("jitter");
     conduct.solver = find_leg_solver(options.text("ik"));
     conduct.footholds = options.text("footholds") == "rays" ? FootholdWay::rays : FootholdWay::surface;
     conduct.pace = pace_of(options, species.walk);
     conduct.behaviors = BehaviorReader(host, surface, species).read();
     conduct.wander.displacement = options.number("wander.displacement");
     conduct.wander.rate = options.number("wander.rate");
+    conduct.wander.on_ball = options.text("wander.form") == "ball";
     conduct.rests = options.flag("rests");
     conduct.motion = find_motion_method(options.text("motion"));
     conduct.turn_rate = options.number("turn_rate");

@@ -335,7 +335,7 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
     turn_body(conduct, company.orients ? now.feel.up : state.turn.to, dt, state);
     bend_back(conduct, dt, state);
     find_room(now, carriage);
-    step_feet(surface, conduct, dt, state, measures);
+    step_feet(surface, conduct, company.random, dt, state, measures);
     ++measures.frames;
     const Support support = support_of(conduct, state);
     state.sway = sway_of(conduct, support, state, dt);

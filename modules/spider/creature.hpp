@@ -30,7 +30,8 @@ namespace orbweaver::spider {
 struct Conduct {
     const Species* species = nullptr;
     const Gait* gait = nullptr;
-    const StridePath* path = nullptr;
+    const StridePath* path = nullptr;  ///< of all swings; null: as they are for, see path_of()
+    double jitter = 0;                 ///< of a cycle, that a leg is off its time at most, anew with each step
     const LegSolver* solver = nullptr;
     const LegLanes* lanes = nullptr;  ///< of the species' legs, for all at once; null: one after the other
     FootholdWay footholds = FootholdWay::surface;
@@ -52,11 +53,12 @@ struct Conduct {
 
 /// A foot, of a leg of a creature.
 struct Foot {
-    Vec3 place;          ///< m; while it stands the same to the last bit
-    Swing swing;         ///< under way, or the last one
-    Vec3 home;           ///< m, body frame: where it is in the middle of its stance
-    bool holds = false;  ///< it stands on the surface, or swings to a place on it; else it searches for one
-    bool rim = false;    ///< that place is where the surface ends
+    Vec3 place;              ///< m; while it stands the same to the last bit
+    Swing swing;             ///< under way, or the last one
+    std::uint32_t path = 0;  ///< its form: of stride_paths()
+    Vec3 home;               ///< m, body frame: where it is in the middle of its stance
+    bool holds = false;      ///< it stands on the surface, or swings to a place on it; else it searches for one
+    bool rim = false;        ///< that place is where the surface ends
     std::uint32_t searches = 0;  ///< swings since it last found one
 };
 
@@ -76,6 +78,8 @@ struct CreatureState {
     PauseState pause;
     double phase = 0;
     std::array<double, kMaxLegs> start{}, progress{};
+    std::array<double, kMaxLegs> jitter{};  ///< of a cycle, by which each leg is off its time
+    std::uint64_t jitter_draws = 0;         ///< of random numbers for that so far
     std::array<Foot, kMaxLegs> feet;
     std::array<LegPose, kMaxLegs> poses{};
 };

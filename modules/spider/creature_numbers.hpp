@@ -39,16 +39,19 @@ void each_number(CreatureState& state, std::size_t legs, Each&& each) {
     each(state.pause.stood);
     each(state.pause.draws);
     each(state.phase);
+    each(state.jitter_draws);
     each(state.spin);
     each(state.strain);
     for (std::size_t leg = 0; leg < legs; ++leg) {
         Foot& foot = state.feet[leg];
         each(state.start[leg]);
         each(state.progress[leg]);
+        each(state.jitter[leg]);
         for (Vec3* v : {&foot.place, &foot.home, &foot.swing.start, &foot.swing.end, &foot.swing.start_up,
                         &foot.swing.end_up})
             vector(*v);
         each(foot.swing.height);
+        each(foot.path);
         each(foot.holds);
         each(foot.rim);
         each(foot.searches);

@@ -104,7 +104,9 @@ void advance_gait(const Gait& gait, const Pace& pace, const GaitTick& tick, cons
         std::count_if(state.progress.begin(), state.progress.end(), [](double each) { return each < 0; }));
     for (std::size_t leg = 0; leg < legs; ++leg) {
         const double most = tick.turn_rate * tick.dt;
-        const double turn = std::clamp(turn_between(state.start[leg], start_of(gait, leg, legs)), -most, most);
+        const double off = tick.jitter.empty() ? 0 : tick.jitter[leg];
+        const double turn =
+            std::clamp(turn_between(state.start[leg], start_of(gait, leg, legs) + off), -most, most);
         state.start[leg] = wrapped(state.start[leg] + turn);
         tick.lifted[leg] = tick.landed[leg] = 0;
         if (motion_of(state, leg) == LegMotion::swings) {

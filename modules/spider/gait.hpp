@@ -79,6 +79,7 @@ struct GaitTick {
     std::span<std::uint8_t> lifted, landed;
     std::span<const SupportPoint> feet;  ///< an element per leg; none: balance is not looked at
     SupportPoint velocity;               ///< m/s, of the center of mass
+    std::span<const double> jitter;      ///< of a cycle, by which each leg's start is off; none: by nothing
 };
 void advance_gait(const Gait& gait, const Pace& pace, const GaitTick& tick, const GaitState& state) noexcept;
 

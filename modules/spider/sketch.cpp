@@ -84,15 +84,14 @@ void draw_support(const Conduct& conduct, const CreatureState& state, double siz
     pen.mark(below, body.up, size);
 }
 
-void draw_foot(const Conduct& conduct, const Foot& foot, double progress, double size,
-               std::vector<SketchLine>& lines) {
+void draw_foot(const Foot& foot, double progress, double size, std::vector<SketchLine>& lines) {
     constexpr int kPieces = 12;
     if (progress < 0)
         return Pen(lines, foot.holds ? kStands : kEmpty).mark(foot.place, foot.swing.end_up, size);
     Pen pen(lines, foot.holds ? kSwings : kEmpty);
     for (int i = 0; i < kPieces; ++i)
-        pen.line(foot_at(*conduct.path, foot.swing, static_cast<double>(i) / kPieces),
-                 foot_at(*conduct.path, foot.swing, static_cast<double>(i + 1) / kPieces));
+        pen.line(foot_at(stride_paths()[foot.path], foot.swing, static_cast<double>(i) / kPieces),
+                 foot_at(stride_paths()[foot.path], foot.swing, static_cast<double>(i + 1) / kPieces));
     pen.mark(foot.swing.end, foot.swing.end_up, size);
     pen.line(foot.swing.end - 2 * size * foot.swing.end_up, foot.swing.end + 5 * size * foot.swing.end_up);
 }
@@ -129,7 +128,7 @@ void add_sketch(const Surface& surface, const Conduct& conduct, const CreatureSt
     draw_support(conduct, state, size, Pen(lines, kSupport));
     for (std::size_t leg = 0; leg < conduct.species->limbs.size(); ++leg) {
         draw_leg(body, conduct.species->limbs[leg], state.poses[leg], lines);
-        draw_foot(conduct, state.feet[leg], state.progress[leg], size, lines);
+        draw_foot(state.feet[leg], state.progress[leg], size, lines);
     }
 }
 

@@ -110,6 +110,17 @@ Vec3 searched_place(const Stepping& walk, const Limb& limb, const Foot& foot, co
     return away > reach ? base + (reach / away) * (place - base) : place;
 }
 
+/// What a swing is for: to feel about where no foothold was found, to hunt unseen, to run, or just to walk.
+Swinging purpose_of(const Stepping& walk, bool found) noexcept {
+    constexpr double kStalks = 0.5, kRuns = 0.8;  // of its top speed
+    const Behaviors& wants = walk.conduct.behaviors;
+    const double top = walk.conduct.pace.top_speed;
+    if (!found) return Swinging::searches;
+    if (wants.pursue > 0 && walk.speed < kStalks * top) return Swinging::stalks;
+    const bool hurries = wants.pursue > 0 || wants.evade > 0 || wants.flee.weight > 0;
+    return hurries && walk.speed > kRuns * top ? Swinging::runs : Swinging::walks;
+}
+
 /// To a foothold that it finds, or on searching: each time farther about, up to twice as far.
 void begin_swing(const Stepping& walk, std::size_t leg) noexcept {
     constexpr double kSearch = 0.4;  // of the leg's length
@@ -125,6 +136,9 @@ void begin_swing(const Stepping& walk, std::size_t leg) noexcept {
     foot.holds = hold.found;
     foot.rim = hold.rim;
     foot.home = hold.found ? from_world(middle, hold.position) : limb.stance;
+    const StridePath& path =
+        walk.conduct.path != nullptr ? *walk.conduct.path : path_of(purpose_of(walk, hold.found));
+    foot.path = static_cast<std::uint32_t>(&path - stride_paths().data());
     foot.swing.start = foot.place;
     foot.swing.start_up = walk.body.up;
     foot.swing.end = hold.found ? hold.position : searched_place(walk, limb, foot, wanted, search);
@@ -143,7 +157,9 @@ void look_at_balance(const Stepping& walk, std::span<SupportPoint> feet, Support
     velocity = {walk.speed * dot(walk.way, walk.body.forward), walk.speed * dot(walk.way, walk.body.right)};
 }
 
-void advance_swings(const Stepping& walk, double dt) noexcept {
+void advance_swings(const Stepping& walk, const RandomStream& random, double dt) noexcept {
+    constexpr std::uint64_t kOwnDraws = std::uint64_t{1}
+                                        << 41;  // the stream is the creature's: see follow_wall()
     std::array<std::uint8_t, kMaxLegs> strained{}, lifted{}, landed{};
     std::array<SupportPoint, kMaxLegs> feet;
     CreatureState& state = walk.state;
@@ -163,14 +179,17 @@ void advance_swings(const Stepping& walk, double dt) noexcept {
     tick.landed = std::span(landed).first(walk.legs());
     look_at_balance(walk, feet, tick.velocity);
     tick.feet = std::span(feet).first(walk.legs());
+    tick.jitter = std::span(state.jitter).first(walk.legs());
     const GaitState gait = gait_state(walk.conduct, state);
     advance_gait(*walk.conduct.gait, walk.pace, tick, gait);
     for (std::size_t leg = 0; leg < walk.legs(); ++leg) {
         Foot& foot = state.feet[leg];
+        if (lifted[leg] != 0)
+            state.jitter[leg] = walk.conduct.jitter * random.uniform(kOwnDraws + state.jitter_draws++, -1, 1);
         if (landed[leg] != 0) foot.place = foot.swing.end;
         if (lifted[leg] != 0 || (landed[leg] != 0 && !foot.holds)) begin_swing(walk, leg);
         if (motion_of(gait, leg) == LegMotion::swings)
-            foot.place = foot_at(*walk.conduct.path, foot.swing, gait.progress[leg]);
+            foot.place = foot_at(stride_paths()[foot.path], foot.swing, gait.progress[leg]);
     }
 }
 
@@ -250,10 +269,10 @@ void place_feet(const Surface& surface, const Conduct& conduct, CreatureState& s
     reach_feet(walk);
 }
 
-void step_feet(const Surface& surface, const Conduct& conduct, double dt, CreatureState& state,
-               CreatureMeasures& measures) noexcept {
+void step_feet(const Surface& surface, const Conduct& conduct, const RandomStream& random, double dt,
+               CreatureState& state, CreatureMeasures& measures) noexcept {
     const Stepping walk(surface, conduct, state, measures);
-    advance_swings(walk, dt);
+    advance_swings(walk, random, dt);
     reach_feet(walk);
 }
 

@@ -14,7 +14,7 @@ void place_feet(const Surface& surface, const Conduct& conduct, CreatureState& s
 /// One frame of dt s of a creature whose body has moved: who lifts finds a foothold, who swings goes on, who
 /// searches goes on to another place, and every leg reaches for its foot. One that no longer reaches a foot
 /// that stands lifts it from where it still is.
-void step_feet(const Surface& surface, const Conduct& conduct, double dt, CreatureState& state,
-               CreatureMeasures& measures) noexcept;
+void step_feet(const Surface& surface, const Conduct& conduct, const RandomStream& random, double dt,
+               CreatureState& state, CreatureMeasures& measures) noexcept;
 
 }  // namespace orbweaver::spider

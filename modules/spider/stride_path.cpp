@@ -34,6 +34,7 @@ SwingPoint creep(double s) noexcept {
 
 std::span<const StridePath> stride_paths() noexcept {
     static constexpr std::array<StridePath, 4> table{
+        // as Swinging has them
         {{"cycloid", cycloid}, {"arc", arc}, {"reach", reach}, {"creep", creep}}};
     return table;
 }
@@ -44,6 +45,8 @@ const StridePath* find_stride_path(std::string_view name) noexcept {
         std::find_if(all.begin(), all.end(), [&](const StridePath& p) { return p.name == name; });
     return found == all.end() ? nullptr : &*found;
 }
+
+const StridePath& path_of(Swinging what) noexcept { return stride_paths()[static_cast<std::size_t>(what)]; }
 
 Vec3 foot_at(const StridePath& path, const Swing& swing, double progress) noexcept {
     if (!(progress > 0)) return swing.start;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -25,6 +26,11 @@ struct StridePath {
 /// first, then down from ahead. creep: highest late, and slow at both ends.
 const StridePath* find_stride_path(std::string_view name) noexcept;
 std::span<const StridePath> stride_paths() noexcept;
+
+/// What a creature is about while its foot swings.
+enum class Swinging : std::uint8_t { walks, runs, searches, stalks };
+/// cycloid, arc, reach and creep.
+const StridePath& path_of(Swinging what) noexcept;
 
 /// A swing between two footholds over land.
 struct Swing {

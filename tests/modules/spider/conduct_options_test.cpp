@@ -186,6 +186,16 @@ TEST_CASE("what a behavior lacks is named with its place", "[extreme]") {
               "scene.toml:2:25: 2 obstacles have 1 radii; expected as many radii as centers"});
 }
 
+TEST_CASE("legs are a little off their time, and swing as they are for, unless a scene says otherwise",
+          "[unit]") {
+    CHECK(Read("").conduct.jitter == 0.02);
+    CHECK(Read("jitter = 0").conduct.jitter == 0);
+    CHECK(Read("").conduct.path == nullptr);
+    CHECK(Read("path = \"arc\"").conduct.path == find_stride_path("arc"));
+    CHECK(Read("").conduct.wander.on_ball);
+    CHECK_FALSE(Read("wander.form = \"circle\"").conduct.wander.on_ball);
+}
+
 TEST_CASE("turns and motion are as the table says", "[unit]") {
     const Read read("turn_curve = \"slow_in_slow_out\"\nturn_steps = 30\norient_every = 6\nmotion = \"rk4\"");
     CHECK(read.faults().empty());

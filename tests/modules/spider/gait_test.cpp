@@ -18,7 +18,7 @@ struct Walker {
     }
     GaitState state() { return {&phase, start, progress}; }
     void advance(const Gait& gait, const Pace& pace) {
-        advance_gait(gait, pace, {kFrame, 0.2, 0.5, strained, lifted, landed, feet, velocity}, state());
+        advance_gait(gait, pace, {kFrame, 0.2, 0.5, strained, lifted, landed, feet, velocity, {}}, state());
     }
     int feet_down() const {
         int down = 0;

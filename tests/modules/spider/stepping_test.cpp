@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "creature_numbers.hpp"
@@ -122,6 +123,63 @@ TEST_CASE("whatever solves its legs, a huntsman walks on its feet", "[unit]") {
     }
 }
 
+TEST_CASE("legs step off their time as far as jitter lets them, each time otherwise", "[unit]") {
+    const Land floor(mesh::cube(20, 2));
+    Conduct conduct = walking(huntsman());
+    conduct.rests = false;
+    conduct.jitter = 0.05;
+    const RandomStream random(1, "jitter");
+    CreatureState state;
+    CreatureMeasures measures;
+    place_creature(floor.surface(), conduct, floor.stand({0, 10, 0}, {0, 1, 0}, {1, 0, 0}), state);
+    std::array<double, kLegs> low{}, high{};
+    for (int i = 0; i < 3600; ++i) {
+        advance_creature(floor.surface(), conduct, {random, {}}, kFrame, state, measures);
+        for (std::size_t leg = 0; leg < kLegs; ++leg) {
+            double off = state.start[leg] - start_of(*conduct.gait, leg, kLegs);
+            off -= std::round(off);
+            CHECK(std::abs(off) <= 0.05 + 1e-12);
+            low[leg] = std::min(low[leg], off);
+            high[leg] = std::max(high[leg], off);
+        }
+    }
+    for (std::size_t leg = 0; leg < kLegs; ++leg) {
+        CHECK(low[leg] < -0.03);
+        CHECK(high[leg] > 0.03);
+    }
+    CHECK(measures.forced_steps < measures.steps / 20);
+}
+
+TEST_CASE("who hunts stalks and runs, who wanders walks, and a foot that finds nothing reaches about",
+          "[unit]") {
+    const auto named = [](const Foot& foot) { return stride_paths()[foot.path].name; };
+    Conduct conduct = walking(huntsman());
+    conduct.path = nullptr;
+    const Land floor(mesh::cube(20, 2));
+    const auto path_at = [&](double share, double pursue) {
+        conduct.behaviors.pursue = pursue;
+        CreatureState state;
+        CreatureMeasures measures;
+        place_creature(floor.surface(), conduct, floor.stand({0, 10, 0}, {0, 1, 0}, {1, 0, 0}), state);
+        state.ground.velocity = {share * conduct.pace.top_speed, 0, 0};
+        for (int i = 0; i < 20; ++i)
+            step_feet(floor.surface(), conduct, RandomStream(1, "paths"), kFrame, state, measures);
+        return named(state.feet[0]);
+    };
+    CHECK(path_at(0.9, 0) == "cycloid");
+    CHECK(path_at(0.9, 1) == "arc");
+    CHECK(path_at(0.7, 1) == "cycloid");
+    CHECK(path_at(0.3, 1) == "creep");
+    const Land glass(half_glass(), glass_is_slippery());
+    CreatureState state;
+    conduct.gravity = {0, -9.81, 0};
+    place_creature(glass.surface(), conduct, glass.stand({0.015, 0, 0}, {0, 0, 1}, {1, 0, 0}), state);
+    CHECK(named(state.feet[0]) == "reach");
+    conduct.path = find_stride_path("arc");
+    place_creature(glass.surface(), conduct, glass.stand({0.015, 0, 0}, {0, 0, 1}, {1, 0, 0}), state);
+    CHECK(named(state.feet[0]) == "arc");
+}
+
 TEST_CASE("a foot that its leg no longer reaches does not count as one that stands", "[unit]") {
     const Land floor(mesh::cube(2, 2));
     const Conduct conduct = walking(huntsman());
@@ -129,7 +187,7 @@ TEST_CASE("a foot that its leg no longer reaches does not count as one that stan
     CreatureMeasures measures;
     place_creature(floor.surface(), conduct, floor.stand({0, 1, 0}, {0, 1, 0}, {1, 0, 0}), state);
     state.shift = {0, 1, 0};
-    step_feet(floor.surface(), conduct, kFrame, state, measures);
+    step_feet(floor.surface(), conduct, RandomStream(1, "torn"), kFrame, state, measures);
     CHECK(measures.forced_steps >= 4);
     CHECK(measures.feet_down == 0);
 }
