@@ -13,15 +13,17 @@ namespace {
 constexpr const char* kVertex = R"(#version 330 core
 uniform samplerBuffer points;
 uniform mat4 view_projection;
-layout(location = 0) in uint corner;  // vertex * 8 + edges
+layout(location = 0) in uint corner;  // vertex * 16 + glass * 8 + edges
 flat out uint edges;
+flat out uint glass;
 out vec3 weights;
 out vec3 place;
 void main() {
     edges = corner & 7u;
+    glass = corner >> 3u & 1u;
     int which = gl_VertexID % 3;
     weights = vec3(which == 0, which == 1, which == 2);
-    place = texelFetch(points, int(corner >> 3u)).xyz;
+    place = texelFetch(points, int(corner >> 4u)).xyz;
     gl_Position = view_projection * vec4(place, 1);
 }
 )";
@@ -31,6 +33,7 @@ uniform vec3 eye;
 uniform vec3 light[6];  // from +x, -x, +y, -y, -z, +z
 uniform vec4 look;      // linear color, opacity of edges
 flat in uint edges;
+flat in uint glass;
 in vec3 weights;
 in vec3 place;
 out vec4 color;
@@ -45,7 +48,8 @@ void main() {
     for (int e = 0; e < 3; ++e)
         if ((edges >> uint(e) & 1u) != 0u) nearest = min(nearest, away[e]);
     float line = look.a * clamp(1.5 - nearest, 0, 1);
-    color = vec4(look.rgb * lit * (1 - line), 1);
+    vec3 shade = look.rgb * (glass != 0u ? vec3(0.35, 0.62, 0.72) : vec3(1));
+    color = vec4(shade * lit * (1 - line), 1);
 }
 )";
 
@@ -76,7 +80,8 @@ std::vector<std::uint32_t> corner_codes(const Surface& surface) {
                     std::equal_range(inside.begin(), inside.end(), edge_of(faces[first], edge));
                 if (high - low == 1) ends |= 1U << edge;
             }
-            for (const std::uint32_t vertex : faces[first]) codes.push_back(vertex * 8 + ends);
+            const std::uint32_t glass = surface.grip(static_cast<std::uint32_t>(first)).climbable ? 0 : 8;
+            for (const std::uint32_t vertex : faces[first]) codes.push_back(vertex * 16 + glass + ends);
         }
     }
     return codes;

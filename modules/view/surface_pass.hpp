@@ -16,8 +16,9 @@ struct SurfaceLook {
     double edges = 0;  ///< opacity of the lines between its polygons, [0, 1]
 };
 
-/// A code for each corner of each face: vertex * 8 + a bit for each edge of the face (from corner e to corner
-/// e + 1) that its polygon ends at. Edges within a polygon are not of the source.
+/// A code for each corner of each face: vertex * 16 + 8 where nobody can climb it, as on glass + a bit for each
+/// edge of the face (from corner e to corner e + 1) that its polygon ends at. Edges within a polygon are not of
+/// the source.
 std::vector<std::uint32_t> corner_codes(const Surface& surface);
 
 /// Draws a surface, which does not move, each face in one shade. A face with unit normal n towards the viewer

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "build.hpp"
 #include "frame_target.hpp"
@@ -24,9 +25,9 @@ struct Built {
     mesh::Validation validation;
     mesh::SurfaceMeshData data;
     surface::MeshSurface surface;
-    explicit Built(const mesh::RawMesh& raw)
+    explicit Built(const mesh::RawMesh& raw, surface::GripOverrides grips = {})
         : data(mesh::build_surface_mesh(raw, {}, "the test's mesh", validation)),
-          surface(data.view(), std::nullopt, {}) {}
+          surface(data.view(), std::nullopt, std::move(grips)) {}
 };
 
 /// Each face of the sky has a light of its own: 0.1 to the right, 0.2 to the left, 0.3 above ...
@@ -108,6 +109,17 @@ TEST_CASE("threads behind a surface are hidden, those before it are not", "[imag
     CHECK(studio.middle_of(cube.surface, camera, &inside) == Approx(0.6).margin(0.006));
 }
 
+TEST_CASE("what nobody can climb is marked, and tinted", "[image]") {
+    Studio studio;
+    const Camera camera{{0, 0, 5}, {0, 0, 0}, 30};
+    surface::GripOverrides slippery;
+    slippery.all = {0.1, false};
+    const Built rock(mesh::cube(2, 2)), glass(mesh::cube(2, 2), slippery);
+    for (const std::uint32_t code : corner_codes(rock.surface)) CHECK((code & 8) == 0);
+    for (const std::uint32_t code : corner_codes(glass.surface)) CHECK((code & 8) == 8);
+    CHECK(studio.middle_of(glass.surface, camera) < 0.8 * studio.middle_of(rock.surface, camera));
+}
+
 TEST_CASE("only edges of the source's polygons are marked, the cuts within them are not", "[unit]") {
     const Built quads(mesh::cube(2, 3));
     for (const std::uint32_t code : corner_codes(quads.surface)) CHECK(std::popcount(code & 7) == 2);
@@ -116,7 +128,7 @@ TEST_CASE("only edges of the source's polygons are marked, the cuts within them 
     REQUIRE(codes.size() == 3 * triangles.data.triangles.size());
     for (std::size_t i = 0; i < codes.size(); ++i) {
         CHECK((codes[i] & 7) == 7);
-        CHECK(codes[i] >> 3 == triangles.data.triangles[i / 3][i % 3]);
+        CHECK(codes[i] >> 4 == triangles.data.triangles[i / 3][i % 3]);
     }
     // The end of a branch is one polygon: of its fan only the rim is marked.
     const Built branch(mesh::branch(1, 1));
