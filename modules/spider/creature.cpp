@@ -199,7 +199,7 @@ struct Carriage {
 /// Moves the body off what it would come too near to, and back to its height in a moment where there is
 /// nothing; m, by which it is still below the surface.
 double hold_body(const Surface& surface, const Conduct& conduct, double dt, CreatureState& state) noexcept {
-    constexpr double kOfLegs = 0.8, kOfBody = 0.6, kMoment = 0.15;  // s
+    constexpr double kOfLegs = 0.8, kOfBody = 1, kMoment = 0.15;  // s
     const Species& species = *conduct.species;
     const double most = std::max(kOfLegs * mean_leg_length(species), kOfBody * body_length(species));
     double below = 0;
