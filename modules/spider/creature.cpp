@@ -173,13 +173,13 @@ void turn_body(const Conduct& conduct, const Vec3& wanted_up, double dt, Creatur
 }
 
 /// What a frame changes of where a body is, before its feet step.
-struct Carriage {
+struct BodyPlace {
     Ground ground;
     UpTurn turn;
     Vec3 forward, shift;
     double spin, bend;
 
-    explicit Carriage(const CreatureState& state) noexcept
+    explicit BodyPlace(const CreatureState& state) noexcept
         : ground(state.ground),
           turn(state.turn),
           forward(state.forward),
@@ -199,9 +199,9 @@ struct Carriage {
 /// Moves the body off what it would come too near to, and back to its height in a moment where there is
 /// nothing; m, by which it is still below the surface.
 double hold_body(const Surface& surface, const Conduct& conduct, double dt, CreatureState& state) noexcept {
-    constexpr double kOfLegs = 0.8, kOfBody = 1, kMoment = 0.15;  // s
+    constexpr double kOfLegs = 0.8, kMoment = 0.15;  // s
     const Species& species = *conduct.species;
-    const double most = std::max(kOfLegs * mean_leg_length(species), kOfBody * body_length(species));
+    const double most = std::max(kOfLegs * mean_leg_length(species), body_length(species));
     double below = 0;
     // Where it finds no way out from where it is, it may from its place.
     for (const Vec3& from : {std::max(0.0, 1 - dt / kMoment) * state.shift + state.sway, state.sway}) {
@@ -216,7 +216,7 @@ double hold_body(const Surface& surface, const Conduct& conduct, double dt, Crea
 
 /// The body where there is room for it. Who came to where there is none goes back, and turns where it was, or
 /// goes on and does not turn; who can do neither stays as it was. Who had no room before goes on.
-void find_room(const Moment& now, const Carriage& before) noexcept {
+void find_room(const Moment& now, const BodyPlace& before) noexcept {
     CreatureState& state = now.state;
     const auto fits = [&] { return hold_body(now.surface, now.conduct, now.dt, state) == 0; };
     const double depth_before = state.depth;
@@ -329,12 +329,12 @@ void advance_creature(const Surface& surface, const Conduct& conduct, const Comp
                      measures,
                      feel_reach(species),
                      feel_ground(surface, species, state.ground)};
-    const Carriage carriage(state);
+    const BodyPlace place(state);
     move_where_it_holds(now, steer(now));
     if (!company.command) face_ahead(conduct.turn_rate * dt, state.ground);
     turn_body(conduct, company.orients ? now.feel.up : state.turn.to, dt, state);
     bend_back(conduct, dt, state);
-    find_room(now, carriage);
+    find_room(now, place);
     step_feet(surface, conduct, company.random, dt, state, measures);
     ++measures.frames;
     const Support support = support_of(conduct, state);
