@@ -135,26 +135,11 @@ private:
             }
     }
 
-    /// The next point of its radius, away from the hub; itself where there is none.
-    std::vector<std::uint32_t> next_outward() const {
-        const WebAtRest& web = writing_.web;
-        std::vector<std::uint32_t> next(web.points.size());
-        for (std::uint32_t i = 0; i < next.size(); ++i) next[i] = i;
-        for (const std::uint32_t i : threads_of(web, "radius")) {
-            const auto [a, b, kind, width] = web.segments[i];
-            if (distance(web.points[a], web.center) < distance(web.points[b], web.center))
-                next[a] = b;
-            else
-                next[b] = a;
-        }
-        return next;
-    }
-
     /// Threads between the points of neighboring radii that the spiral leaves bare, from each turn outward to
     /// the next.
     void find_gaps() {
         const WebAtRest& web = writing_.web;
-        const std::vector<std::uint32_t> next = next_outward();
+        const std::vector<std::uint32_t> next = next_outward(web);
         std::set<std::pair<std::uint32_t, std::uint32_t>> joined;
         for (const ThreadSegment& thread : web.segments) joined.insert(std::minmax(thread.a, thread.b));
         for (const std::uint32_t i : threads_of(web, "spiral")) {

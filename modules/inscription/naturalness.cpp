@@ -58,21 +58,11 @@ double largest_change(const WebAtRest& plain, const WebChange& change, const Web
     return most;
 }
 
-/// Points joined by threads of a kind, as chains: each point's chain is named by one of its points.
-class Chains {
-public:
-    explicit Chains(std::size_t points) : parent_(points) {
-        for (std::uint32_t i = 0; i < points; ++i) parent_[i] = i;
-    }
-    std::uint32_t of(std::uint32_t point) {
-        while (parent_[point] != point) point = parent_[point] = parent_[parent_[point]];
-        return point;
-    }
-    void join(std::uint32_t a, std::uint32_t b) { parent_[of(a)] = of(b); }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
+/// Where a radius ends, by any point of it.
+std::uint32_t end_of_radius(const std::vector<std::uint32_t>& next, std::uint32_t point) {
+    while (next[point] != point) point = next[point];
+    return point;
+}
 
 }  // namespace
 
@@ -93,19 +83,19 @@ Naturalness compare(const WebAtRest& plain, const WebChange& change, const WebAt
 }
 
 std::vector<double> spacings(const WebAtRest& web) {
-    Chains radii(web.points.size());
-    for (const std::uint32_t i : threads_of(web, "radius")) radii.join(web.segments[i].a, web.segments[i].b);
+    const std::vector<std::uint32_t> next = next_outward(web);
     std::vector<std::uint8_t> on_spiral(web.points.size(), 0);
     for (const std::uint32_t i : threads_of(web, "spiral"))
         on_spiral[web.segments[i].a] = on_spiral[web.segments[i].b] = 1;
     struct Crossing {
-        std::uint32_t radius;
-        double from_hub;  // m
+        std::uint32_t radius;  // by its outer end
+        double from_hub;       // m
         auto operator<=>(const Crossing&) const = default;
     };
     std::vector<Crossing> crossings;
     for (std::uint32_t i = 0; i < web.points.size(); ++i)
-        if (on_spiral[i] != 0) crossings.push_back({radii.of(i), distance(web.points[i], web.center)});
+        if (on_spiral[i] != 0)
+            crossings.push_back({end_of_radius(next, i), distance(web.points[i], web.center)});
     std::sort(crossings.begin(), crossings.end());
     std::vector<double> found;
     for (std::size_t i = 1; i < crossings.size(); ++i)

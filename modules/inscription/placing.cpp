@@ -180,8 +180,10 @@ std::optional<std::vector<Placement>> best_placements(const Target& target, cons
     const auto at_scale = [&](double scale) -> std::optional<std::vector<Placement>> {
         std::vector<Placement> placed;
         for (std::size_t i = 0; i < blocks.size(); ++i) {
-            const std::uint32_t top = i == 0 ? 0 : row,
-                                bottom = i == 0 && blocks.size() > 1 ? row : writable.height;
+            const auto half = static_cast<std::uint32_t>(std::ceil(0.5 * blocks[i].height() * scale));
+            const bool above = i == 0 && blocks.size() > 1, below = i > 0;
+            const std::uint32_t top = below ? row + half : 0;
+            const std::uint32_t bottom = above ? row - std::min(row, half) : writable.height;
             const auto spot = ground.best_place(dark_offsets(target, blocks[i], scale), top, bottom, column);
             if (!spot) return std::nullopt;
             placed.push_back({blocks[i], *spot, scale});
