@@ -93,6 +93,7 @@ TEST_CASE("headless, a scene maps its own physics and nothing else", "[scene]") 
         {"huntsman_hill", {"spider", "surface"}},
         {"huntsman_room", {"spider", "surface"}},
         {"path", {"spider", "surface"}},
+        {"some_pig", {"inscription", "web", "wind"}},
         {"wall_following", {"spider", "surface"}},
         {"meadow", {"web", "wind"}},
         {"thesis_web", {"web"}},
