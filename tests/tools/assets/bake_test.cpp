@@ -21,7 +21,7 @@ public:
                       "id = \"walker\"\nversion = \"1\"\ntable = \"walker\"\nseveral = true\n"
                       "[options.mesh]\ntype = \"file\"\nasset = \"mesh\"\nmeaning = \"what it walks on\"\n");
         folder_.write("modules/scribe.toml",
-                      "id = \"scribe\"\nversion = \"1\"\ntable = \"inscription\"\n"
+                      "id = \"scribe\"\nversion = \"1\"\ntable = \"notice\"\n"
                       "[options.target]\ntype = \"file\"\nasset = \"target\"\nmeaning = \"a picture\"\n"
                       "[options.text]\ntype = \"text\"\nasset = \"target\"\nmeaning = \"words\"\n"
                       "[options.gaps]\ntype = \"number\"\nasset = \"target\"\nmeaning = \"a share\"\n"
@@ -106,20 +106,20 @@ TEST_CASE("every mesh that cannot be baked is a fault with its place in the scen
 
 TEST_CASE("what is to be inscribed is baked once for each recipe, from words, a picture or gaps", "[unit]") {
     const Stage stage;
-    stage.write_scene("[inscription]\ntext = \"SOME\\nPIG\"\ngaps = 0.1\n");
+    stage.write_scene("[notice]\ntext = \"SOME\\nPIG\"\ngaps = 0.1\n");
     const auto words = stage.bake();
     REQUIRE(words.code == 0);
     REQUIRE(stage.cached().size() == 1);  // words and gaps are one target
-    CHECK(contains(words.out, "[1/1] inscription.text: 600 x 600 pixels, baked: " + stage.cache() + "/"));
+    CHECK(contains(words.out, "[1/1] notice.text: 600 x 600 pixels, baked: " + stage.cache() + "/"));
     CHECK(contains(stage.bake().out, "pixels, baked before: "));
     stage.folder().write("p.png", test::gray_png(9, 9, [](int x, int) { return x < 4 ? 0 : 255; }));
-    stage.write_scene("[inscription]\ntarget = \"p.png\"\n");
+    stage.write_scene("[notice]\ntarget = \"p.png\"\n");
     CHECK(contains(stage.bake().out, ": " + stage.folder().path("p.png") + ": 600 x 600 pixels, baked: "));
-    stage.write_scene("[inscription]\ntarget = \"p.png\"\ninvert = true\n");
+    stage.write_scene("[notice]\ntarget = \"p.png\"\ninvert = true\n");
     CHECK(contains(stage.bake().out, ", baked: "));
     CHECK(stage.cached().size() == 3);
     REQUIRE(run_assets({"target", "--text", "A", "-o", stage.folder().path("a.baked")}).code == 0);
-    stage.write_scene("[inscription]\ntarget = \"a.baked\"\n");
+    stage.write_scene("[notice]\ntarget = \"a.baked\"\n");
     CHECK(contains(stage.bake().out, ": 600 x 600 pixels, baked, read as it is"));
     CHECK(stage.cached().size() == 3);
 }
@@ -134,7 +134,7 @@ TEST_CASE("what cannot be inscribed is a fault with its place in the scene", "[u
         {"target = \"p.png\"\n", ":4:10: the file's first bytes are those of no picture format"},
         {"target = \"p.png\"\ntext = \"A\"\n", "both 'target' and 'text' are given"}};
     for (const auto& [option, sentence] : cases) {
-        stage.write_scene("[inscription]\n" + option);
+        stage.write_scene("[notice]\n" + option);
         const auto outcome = stage.bake();
         INFO(outcome.err);
         CHECK(outcome.code == 3);
