@@ -87,20 +87,15 @@ std::vector<double> spacings(const WebAtRest& web) {
     std::vector<std::uint8_t> on_spiral(web.points.size(), 0);
     for (const std::uint32_t i : threads_of(web, "spiral"))
         on_spiral[web.segments[i].a] = on_spiral[web.segments[i].b] = 1;
-    struct Crossing {
-        std::uint32_t radius;  // by its outer end
-        double from_hub;       // m
-        auto operator<=>(const Crossing&) const = default;
-    };
-    std::vector<Crossing> crossings;
+    std::vector<std::pair<std::uint32_t, double>> crossings;  // radius, by its outer end; m from the hub
     for (std::uint32_t i = 0; i < web.points.size(); ++i)
         if (on_spiral[i] != 0)
-            crossings.push_back({end_of_radius(next, i), distance(web.points[i], web.center)});
+            crossings.emplace_back(end_of_radius(next, i), distance(web.points[i], web.center));
     std::sort(crossings.begin(), crossings.end());
     std::vector<double> found;
     for (std::size_t i = 1; i < crossings.size(); ++i)
-        if (crossings[i].radius == crossings[i - 1].radius)
-            found.push_back(crossings[i].from_hub - crossings[i - 1].from_hub);
+        if (crossings[i].first == crossings[i - 1].first)
+            found.push_back(crossings[i].second - crossings[i - 1].second);
     std::sort(found.begin(), found.end());
     return found;
 }
