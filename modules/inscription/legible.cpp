@@ -228,16 +228,29 @@ private:
         return changed / all_silk_;
     }
 
+    /// At which nothing is worth its silk.
+    double dearest_price() const {
+        const std::vector<double> gain = pulled(goal_);
+        double price = 0;
+        for (std::size_t j = 0; j < gain.size(); ++j)
+            if (candidates_[j].silk > 0) price = std::max(price, gain[j] / candidates_[j].silk);
+        return price;
+    }
+
     void choose_price() {
-        double cheap = kLeastPrice * tone_, dear = tone_;
+        double cheap = kLeastPrice * tone_, dear = std::max(dearest_price(), cheap);
         descend(cheap, kSteps);
         if (loss() <= writing_.settings.loss) return;
+        std::vector<double> affordable(x_.size(), 0);
         for (int i = 0; i < kHalvings; ++i) {
             const double price = 0.5 * (cheap + dear);
             descend(price, kStepsOn);
-            (loss() > writing_.settings.loss ? cheap : dear) = price;
+            const bool within = loss() <= writing_.settings.loss;
+            if (within) affordable = x_;
+            (within ? dear : cheap) = price;
         }
         descend(dear, kStepsOn);
+        if (loss() > writing_.settings.loss) x_ = affordable;
     }
 
     WebChange rounded() const {
