@@ -31,3 +31,14 @@ TEST_CASE("kinds that a web lacks, or that nobody knows, have no threads", "[uni
     CHECK(threads_of(orb, "Spiral").empty());
     CHECK(threads_of(orb, "").empty());
 }
+
+TEST_CASE("points of a radius lead outward to its end, whichever way its threads were laid", "[unit]") {
+    test::HandMade orb = test::make_orb(5, 3);  // five points a radius
+    for (std::size_t i = 0; i < orb.segments.size(); i += 3) std::swap(orb.segments[i].a, orb.segments[i].b);
+    orb.points.push_back(orb.center);
+    orb.join(25, 1, test::kSpiral);  // on no radius
+    const auto next = next_outward(orb);
+    REQUIRE(next.size() == 26);
+    for (std::uint32_t i = 0; i < 25; ++i) CHECK(next[i] == (i % 5 == 4 ? i : i + 1));
+    CHECK(next[25] == 25);
+}
