@@ -56,12 +56,12 @@ TEST_CASE("masses of different walks are not joined, nor any twice", "[unit]") {
 }
 
 TEST_CASE("of an orb's rings, those threads stay that match the target beside all others", "[unit]") {
-    const test::HandMade web = test::make_orb(16, 6);
-    const WebChange all = hatched(web, Bitmap(120, 120), 0);
-    CHECK(all.added.size() == 6 * (15 + 14));  // a ring is a walk of 17 masses, of which the first is the last
-    Bitmap coverage(120, 120);
-    test::fill(coverage, {30, 15, 90, 45});
-    const Page page = page_of(web, 120);
+    const test::HandMade web = test::make_orb(10, 6);
+    const WebChange all = hatched(web, Bitmap(300, 300), 0);
+    CHECK(all.added.size() == 6 * (9 + 8));  // a ring is a walk of 11 masses, of which the first is the last
+    Bitmap coverage(300, 300);
+    test::fill(coverage, {60, 20, 230, 120});
+    const Page page = page_of(web, 300);
     const Bitmap source = source_picture(web, page, all.added), dilated = dilate(coverage, kDilation);
     for (const int threshold : {3, 8}) {
         std::vector<std::pair<std::uint32_t, std::uint32_t>> expected, found;

@@ -148,15 +148,17 @@ TEST_CASE("silk is counted by its lengths and widths, against that of the plain 
 }
 
 TEST_CASE("tensions are compared of threads that stay whole, shifts of the plain web's points", "[unit]") {
-    const test::HandMade plain = test::make_orb(8, 3);
+    test::HandMade plain = test::make_orb(8, 3);
+    plain.tension[5] = -0.25;                // slack before and after
     const std::uint32_t spiral = 8 * 4 + 8;  // behind radii and hub
     REQUIRE(plain.segments[spiral].kind == test::kSpiral);
     const WebChange change{{spiral}, {{0, 11, spiral, 1}}, {{spiral + 1, 0.25, 0.75, 4}}};
     test::HandMade after = test::changed(plain, change);
     REQUIRE(after.segments.size() == plain.segments.size() + 2);
-    after.tension[spiral] = 9;                     // the first part of what was cut
-    after.tension[spiral + 3] = 0.5;               // behind it, whole
-    after.tension[3] = 1.75;                       // a radius
+    after.tension[spiral] = 9;        // the first part of what was cut
+    after.tension[spiral + 3] = 0.5;  // behind it, whole
+    after.tension[3] = 1.75;          // a radius
+    after.tension[5] = -0.25;
     after.tension[7] = -1e-3;                      // slack now
     after.tension[after.tension.size() - 1] = -2;  // what is new may be slack as well
     for (Vec3& point : after.points) point.x += 0.002;

@@ -60,6 +60,14 @@ TEST_CASE("threads are attached within letters, short, new, darker and where the
     }
 }
 
+TEST_CASE("no thread leads from a mass to itself, even where every score will do", "[unit]") {
+    const test::HandMade web = test::make_orb(24, 12);
+    const test::Task task{web, page_of(web, 150), letter(), {.score_threshold = 0}};
+    const WebChange change = task.write(attach_at_random);
+    CHECK(change.added.size() > 100);
+    for (const WebChange::Added& thread : change.added) CHECK(thread.a != thread.b);
+}
+
 TEST_CASE("chance is the seed's", "[unit]") {
     const test::HandMade web = test::make_orb(24, 12);
     test::Task task{web, page_of(web, 150), letter(), {.score_threshold = 6}};
