@@ -1,4 +1,4 @@
-// Legible writing: which threads are thickened, added and taken is found by an optimisation.
+// Legible writing: which threads are thickened and added is found by an optimisation.
 //
 // Let u be what a viewer sees: silk per area, blurred by a Gaussian G of one mesh or so. It is linear in how
 // much silk x_j is given to each candidate j, u(x) = G (rho + A x), where rho is the plain web's ink and column
@@ -6,15 +6,15 @@
 // tone t within them, u* = (1 - m) G rho + m t: so many times what the web has there on average, or around
 // there where that is more, as the thickest threads are thicker. Then x minimises the convex
 //
-//     1/2 |u(x) - u*|^2 + price * sum_j s_j |x_j|,   low_j <= x_j <= high_j,
+//     1/2 |u(x) - u*|^2 + price * sum_j s_j x_j,   0 <= x_j <= most_j,
 //
-// s_j the candidate's silk. The price is the least at which the silk that changes stays within the loss
+// s_j the candidate's silk. The price is the least at which the silk that is given stays within the loss
 // allowed; so a candidate has silk exactly where that serves the picture more than its price. Candidates are
-// parts of spiral threads and radii within letters (0 <= x <= width - 1: thickened), threads between
-// neighboring radii within letters where there is none (0 <= x <= width: added), and spiral threads (-1 <= x <=
-// 0: taken). The minimum is found by accelerated proximal gradients (Beck and Teboulle 2009) with the diagonal
-// of De Pierro's surrogate, D = (GA)^T (GA) 1, for step sizes, restarted where they overshoot (O'Donoghue and
-// Candes 2015).
+// parts of spiral threads and radii within letters (most = width - 1: thickened) and threads between
+// neighboring radii within letters where there is none (most = width: added). None is taken: a gap is as wide
+// as the blur, and letters that clear rings around them are read worse (README). The minimum is found by
+// accelerated proximal gradients (Beck and Teboulle 2009) with the diagonal of De Pierro's surrogate, D =
+// (GA)^T (GA) 1, for step sizes, restarted where they overshoot (O'Donoghue and Candes 2015).
 
 #include <algorithm>
 #include <cmath>
@@ -42,11 +42,11 @@ constexpr double kTrifle = 0.15;      ///< threads are not thickened or added by
 
 /// Something that may be given silk.
 struct Candidate {
-    enum class Kind { thicken, add, take } kind;
+    enum class Kind { thicken, add } kind;
     std::uint32_t thread;        ///< itself, or of its sort
     Part part;                   ///< of it, that is thickened
     std::uint32_t a = 0, b = 0;  ///< points that an added one joins
-    double low, high;            ///< of its x
+    double most;                 ///< of its x
     double silk = 0;             ///< s_j: pixels
 };
 
@@ -63,7 +63,6 @@ public:
     WebChange run() {
         find_parts();
         find_gaps();
-        if (writing_.settings.take) find_takings();
         x_.assign(candidates_.size(), 0);
         if (candidates_.empty() || !(tone_ > 0)) return {};
         set_steps();
@@ -129,7 +128,7 @@ private:
                     const auto at = [&](double share) {
                         return Spot{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
                     };
-                    add_candidate({Candidate::Kind::thicken, i, part, 0, 0, 0, writing_.settings.width - 1, 0},
+                    add_candidate({Candidate::Kind::thicken, i, part, 0, 0, writing_.settings.width - 1, 0},
                                   at(part.from), at(part.to), thread.width);
                 }
             }
@@ -148,7 +147,7 @@ private:
                 a = next[a], b = next[b];
                 if (!joined.insert(std::minmax(a, b)).second) break;
                 if (is_within(a, b))
-                    add_candidate({Candidate::Kind::add, i, {}, a, b, 0, writing_.settings.width, 0}, spot(a),
+                    add_candidate({Candidate::Kind::add, i, {}, a, b, writing_.settings.width, 0}, spot(a),
                                   spot(b), web.segments[i].width);
             }
         }
@@ -158,14 +157,6 @@ private:
         const auto parts = dark_parts(writing_.coverage, writing_.page.spot(writing_.web.points[a]),
                                       writing_.page.spot(writing_.web.points[b]), shortest_);
         return parts.size() == 1 && parts[0].from == 0 && parts[0].to == 1;
-    }
-
-    void find_takings() {
-        for (const std::uint32_t i : threads_of(writing_.web, "spiral")) {
-            const ThreadSegment& thread = writing_.web.segments[i];
-            add_candidate({Candidate::Kind::take, i, {}, 0, 0, -1, 0, 0}, spot(thread.a), spot(thread.b),
-                          thread.width);
-        }
     }
 
     /// G A x.
@@ -217,14 +208,12 @@ private:
     double proximal(std::size_t j, double from, double gradient, double price) const {
         if (!(steps_[j] > 0)) return 0;
         const Candidate& candidate = candidates_[j];
-        const double to = from - gradient / steps_[j], less = price * candidate.silk / steps_[j];
-        const double shrunk = to > less ? to - less : (to < -less ? to + less : 0);
-        return std::clamp(shrunk, candidate.low, candidate.high);
+        return std::clamp(from - (gradient + price * candidate.silk) / steps_[j], 0.0, candidate.most);
     }
 
     double loss() const {
         double changed = 0;
-        for (std::size_t j = 0; j < x_.size(); ++j) changed += std::abs(x_[j]) * candidates_[j].silk;
+        for (std::size_t j = 0; j < x_.size(); ++j) changed += x_[j] * candidates_[j].silk;
         return changed / all_silk_;
     }
 
@@ -255,18 +244,12 @@ private:
 
     WebChange rounded() const {
         WebChange change;
-        std::vector<std::uint8_t> taken(writing_.web.segments.size(), 0);
-        for (std::size_t j = 0; j < x_.size(); ++j)
-            if (candidates_[j].kind == Candidate::Kind::take && x_[j] < -0.5) {
-                change.removed.push_back(candidates_[j].thread);
-                taken[candidates_[j].thread] = 1;
-            }
         for (std::size_t j = 0; j < x_.size(); ++j) {
             const Candidate& each = candidates_[j];
             if (x_[j] < kTrifle) continue;
             if (each.kind == Candidate::Kind::add)
                 change.added.push_back({each.a, each.b, each.thread, x_[j]});
-            else if (taken[each.thread] == 0)
+            else
                 change.thickened.push_back({each.thread, each.part.from, each.part.to, 1 + x_[j]});
         }
         return change;

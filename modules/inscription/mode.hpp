@@ -16,8 +16,7 @@ struct ModeSettings {
     double width = 3;         ///< times as much silk as there was: the most that a thread is thickened to
     double attachments = 1;   ///< random_attachments: threads added, for each one taken
     double outline = 1;       ///< outline: width of the ring around letters, in meshes
-    double loss = 0.3;        ///< legible: silk that may be added and taken, over the silk of the plain web
-    bool take = true;         ///< legible: threads may be taken
+    double loss = 0.3;        ///< legible: silk that may be added, over the silk of the plain web
 };
 
 /// What there is to write with.

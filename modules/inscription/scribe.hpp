@@ -28,9 +28,7 @@ struct Scribe {
     /// Pixels of the page on which legibility is measured; absent: of the page on which it is written.
     std::optional<std::uint32_t> judged_on;
 
-    /// Changes the draft, and brings it to rest. A legible web is written in once more without taking any
-    /// thread where otherwise threads would become slack, or the largest tension more than half as large again.
-    /// Throws as lay_on() and the draft do.
+    /// Changes the draft, and brings it to rest. Throws as lay_on() and the draft do.
     Inscription write(WebDraft& draft) const;
 };
 

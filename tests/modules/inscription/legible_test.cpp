@@ -60,7 +60,7 @@ bool is_empty(const WebChange& change) {
 
 }  // namespace
 
-TEST_CASE("no more silk is added and taken than may be", "[unit]") {
+TEST_CASE("no more silk is added than may be", "[unit]") {
     const test::HandMade web = orb();
     Bitmap corner(kSide, kSide);  // mostly beside the web: bare on average, and dense around its end
     test::fill(corner, {0, 0, 100, 60});
