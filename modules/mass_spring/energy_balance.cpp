@@ -9,12 +9,15 @@ EnergyBalance balance_energy(const SpringSystem& system, const Energy& before, s
                              std::span<const Vec3> x1, std::span<const Vec3> v1) noexcept {
     constexpr double kRounding = 1e-9;
     const Energy after = system.energy(x1, v1);
-    double work = 0;
-    for (std::size_t i = 0; i < x0.size(); ++i) work += dot(system.external_force(i), x1[i] - x0[i]);
+    const StepHooks* hooks = system.hooks();
+    double work = hooks != nullptr ? hooks->work() : 0;
+    for (std::size_t i = 0; hooks == nullptr && i < x0.size(); ++i)
+        work += dot(system.external_force(i), x1[i] - x0[i]);
 
     EnergyBalance balance;
     balance.gain = after.total() - before.total() - work;
-    balance.turnover = before.kinetic + after.kinetic + std::abs(work);
+    balance.turnover =
+        before.kinetic + after.kinetic + (hooks != nullptr ? hooks->turnover() : std::abs(work));
     balance.rounding =
         kRounding * (before.elastic + after.elastic + std::abs(before.potential) + std::abs(after.potential));
     if (!std::isfinite(balance.gain)) balance.gain = std::numeric_limits<double>::infinity();

@@ -19,6 +19,7 @@ struct EnergyBalance {
 };
 
 /// From x0, where the energy was `before`, to state 1, during which the system's external forces were constant.
+/// Where it has hooks, they know what they and the external forces did.
 EnergyBalance balance_energy(const SpringSystem& system, const Energy& before, std::span<const Vec3> x0,
                              std::span<const Vec3> x1, std::span<const Vec3> v1) noexcept;
 

@@ -36,12 +36,14 @@ bool Integrator::advance(std::span<Vec3> x, std::span<Vec3> v, double h, std::in
                          StepBudget& budget) {
     begin(x, v, budget);
     const bool creeps = system_->creep_count() > 0;
+    StepHooks* hooks = system_->hooks();
     if (creeps) system_->creep(x_, h / 2);
     for (std::int64_t i = 0; i < count && budget.take(); ++i) {
+        if (hooks != nullptr) hooks->before_step(x_, v_, h);
         method_->step(*system_, x_, v_, h);
-        if (!creeps) continue;
-        system_->creep(x_, i + 1 < count ? h : h / 2);
-        method_->begin();
+        if (hooks != nullptr) hooks->after_step(x_, v_, h);
+        if (creeps) system_->creep(x_, i + 1 < count ? h : h / 2);
+        if (creeps || hooks != nullptr) method_->begin();
     }
     end(x, v);
     return !budget.refused();
@@ -107,7 +109,8 @@ ControlledRun Integrator::advance_within(std::span<Vec3> x, std::span<Vec3> v, d
 }
 
 int Integrator::order() const noexcept {
-    constexpr int kSplit = 2;
+    constexpr int kSplit = 2, kContact = 1;
+    if (system_->hooks() != nullptr) return std::min(info_->order, kContact);
     return system_->creep_count() > 0 ? std::min(info_->order, kSplit) : info_->order;
 }
 

@@ -45,6 +45,8 @@ struct MethodInfo {
     /// The method that tells how far this one is off, where half the step would not: empty for those that
     /// converge to the motion of the equations with no more ado.
     std::string_view judge{};
+    /// Steps by which velocities are older than positions: half of one where they are what positions moved by.
+    double lag = 0;
 };
 
 /// Every method there is, in the order documents list them.

@@ -97,7 +97,7 @@ void RunError::redo(const FrameRun& frame, bool alone) {
 
 void RunError::follow(const FrameRun& frame) {
     followed_ = false;
-    system_->set_creep(halved_creep_);
+    system_->begin_frame(halved_creep_);
     if (run_frame(frame.steps, Steps::alike, halved_x_, halved_v_))
         followed_alone_ ? meter_.follow_alone(frame.x, halved_x_, integrator_->order())
                         : meter_.follow(frame.x, halved_x_, integrator_->order());
@@ -158,7 +158,7 @@ Loss RunError::loss_of(const FrameRun& frame, std::int64_t steps, double omega) 
 void RunError::start_trial(const FrameRun& frame) noexcept {
     std::copy(frame.start_x.begin(), frame.start_x.end(), trial_x_.begin());
     std::copy(frame.start_v.begin(), frame.start_v.end(), trial_v_.begin());
-    system_->set_creep(frame.start_creep);
+    system_->begin_frame(frame.start_creep);
 }
 
 double RunError::estimate() const noexcept { return meter_.estimate() + lost_.amplitude() + lost_.felt(); }

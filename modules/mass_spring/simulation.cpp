@@ -48,6 +48,10 @@ void Simulation::check_damping() const {
 
 void Simulation::put_on_arms() {
     system_->put_on_arms(x_);
+    if (system_->hooks() != nullptr && settings_.tolerance > 0)
+        throw Fault(FaultKind::invalid, "a tolerance of " + number_text(settings_.tolerance) +
+                                            " m a step is asked where contact or muscles act between steps, "
+                                            "whose error no method tells; say the step instead");
     if (system_->creep_count() > 0 && settings_.tolerance > 0)
         throw Fault(FaultKind::invalid,
                     "a tolerance of " + number_text(settings_.tolerance) +
@@ -122,7 +126,7 @@ void Simulation::advance(std::uint64_t frame, double time) {
     advice_holds_ = advice_holds_ && std::equal(x_.begin(), x_.end(), start_x_.begin());
     std::copy(x_.begin(), x_.end(), start_x_.begin());
     std::copy(v_.begin(), v_.end(), start_v_.begin());
-    system_->set_creep(creep_);
+    system_->begin_frame(creep_);
     start_energy_ = system_->energy(x_, v_);
     if (const std::size_t bad = watch_.first_bad(x_, v_); bad < x_.size()) {
         throw Fault(FaultKind::diverged,
@@ -167,6 +171,7 @@ void Simulation::advance_in_equal_steps(std::uint64_t frame, double time) {
     if (!finished) fail(frame, time);
     energy_gain_ += std::max(0.0, balance.gain);
     steps_ += static_cast<std::uint64_t>(frame_steps_);
+    if (system_->hooks() != nullptr) system_->hooks()->keep();
     system_->get_creep(end_creep_);
     error_.add(frame_run(frame, substeps_per_frame(), balance), advice_.angular_frequency);
     std::copy(end_creep_.begin(), end_creep_.end(), creep_.begin());
@@ -253,7 +258,7 @@ void Simulation::warn_of_gain(const std::string& sentence) {
 void Simulation::restore_start() noexcept {
     std::copy(start_x_.begin(), start_x_.end(), x_.begin());
     std::copy(start_v_.begin(), start_v_.end(), v_.begin());
-    system_->set_creep(creep_);
+    system_->begin_frame(creep_);
 }
 
 void Simulation::stop(std::uint64_t frame, double time) {

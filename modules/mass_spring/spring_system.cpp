@@ -30,7 +30,7 @@ void SpringSystem::network_changed() {
 }
 
 void SpringSystem::put_on_arms(std::span<const Vec3> x) {
-    if (table_.place.empty()) return;
+    if (!has_arms(*network_)) return;
     creep_.assign(table_.quads.size() * Packing::kLanes, 0.0);
     for (std::size_t i = 0; i < network_->springs.size(); ++i) {
         const Spring& s = network_->springs[i];
@@ -46,6 +46,16 @@ void SpringSystem::get_creep(std::span<double> creep) const noexcept {
 
 void SpringSystem::set_creep(std::span<const double> creep) noexcept {
     for (std::size_t i = 0; i < creep.size(); ++i) creep_[table_.place[i]] = creep[i];
+}
+
+std::span<double> SpringSystem::hook_forces() {
+    external_.resize(length());
+    return external_;
+}
+
+void SpringSystem::begin_frame(std::span<const double> creep) noexcept {
+    set_creep(creep);
+    if (hooks_ != nullptr) hooks_->rewind();
 }
 
 void SpringSystem::creep(std::span<const double> x, double h) noexcept {

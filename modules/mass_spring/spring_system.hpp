@@ -13,6 +13,7 @@
 #include "packing.hpp"
 #include "spring_force.hpp"
 #include "spring_kernel.hpp"
+#include "step_hooks.hpp"
 
 namespace orbweaver::mass_spring {
 
@@ -98,6 +99,16 @@ public:
     /// told instead of this.
     void network_changed();
 
+    /// Springs of a driven network have other rest lengths, and nothing else has changed.
+    void rest_lengths_changed() noexcept { table_.set_rest_lengths(network_->springs); }
+    /// What acts between steps, and outlives the system; null: nothing.
+    void set_hooks(StepHooks* hooks) noexcept { hooks_ = hooks; }
+    StepHooks* hooks() const noexcept { return hooks_; }
+    /// External forces (N, packed) of the steps to come, where hooks set them instead of the surroundings.
+    std::span<double> hook_forces();
+    /// The next step is the first of a frame, to which dashpots had crept so far.
+    void begin_frame(std::span<const double> creep) noexcept;
+
     /// In force until the next call; the external forces are copied.
     void set_surroundings(const Surroundings& surroundings);
     /// Of implicit methods, from the next prepare() on, and of settle().
@@ -161,6 +172,7 @@ private:
     LinearSolverKind linear_solver_ = LinearSolverKind::automatic;
     std::unique_ptr<ImplicitTangent> implicit_;  ///< null until an implicit method asks
     mutable double work_ = 0;                    ///< s
+    StepHooks* hooks_ = nullptr;
     double spectral_radius_ = -1;                ///< 1/s; negative until a method asks
 };
 

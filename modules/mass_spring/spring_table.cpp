@@ -156,12 +156,17 @@ SpringTable::SpringTable(const Network& network)
     fill_constants(network.springs, *this);
     if (is_damped(network)) fill_damping(network.springs, *this);
     if (is_curved(network) || has_arms(network)) fill_laws(network.springs, *this);
-    if (!has_arms(network)) place = {};
+    if (!has_arms(network) && !network.driven) place = {};
     for (std::size_t i = 0; i < network.size(); ++i)
         inverse_mass[packing.place(i)] = network.fixed[i] != 0 ? 0 : 1 / network.mass[i];
     for (std::size_t i = 0; i < inverse_mass.size(); ++i) {
         if (inverse_mass[i] == 0) blocks[i / kLanes].held |= 1U << (i % kLanes);
     }
+}
+
+void SpringTable::set_rest_lengths(const std::vector<Spring>& springs) noexcept {
+    for (std::size_t i = 0; i < springs.size(); ++i)
+        quads[place[i] / kLanes].rest_length[place[i] % kLanes] = springs[i].rest_length;
 }
 
 std::size_t SpringTable::memory_bytes() const noexcept {

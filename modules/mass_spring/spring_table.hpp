@@ -53,13 +53,15 @@ struct SpringTable {
     std::vector<std::array<double, Packing::kLanes>> damping;  ///< N s/m, per quad; empty: no spring is damped
     std::vector<Law> laws;                                     ///< per quad; empty: no spring has one
     std::vector<std::uint32_t>
-        place;  ///< of each spring, quad times four and lane; empty: no spring has an arm
+        place;  ///< of each spring, quad times four and lane; empty: none has an arm or is driven
 
     std::vector<Block> blocks;
     std::vector<std::uint32_t> incident;  ///< first slots of stretches of four
     std::vector<double> inverse_mass;     ///< 1/kg, per place; 0 for fixed ones and padding
     std::size_t slots = 0;                ///< vectors of pull, those between runs always zero
 
+    /// Of a driven network.
+    void set_rest_lengths(const std::vector<Spring>& springs) noexcept;
     std::size_t memory_bytes() const noexcept;
 };
 
