@@ -151,6 +151,14 @@ void Crawl::after_step(std::span<double> x, std::span<double> v, double h) noexc
         ground_);
 }
 
+/// m/s^2, that it takes to tear a ring's points off: nothing where both its segments, or one at an end, hump.
+double Crawl::holds(std::uint32_t ring, const Scratch& scratch) const noexcept {
+    if (!(friction_.adhesion > 0)) return 0;
+    const double before = scratch.flexes[ring > 0 ? ring - 1 : 0].up;
+    const double after = scratch.flexes[std::min<std::size_t>(ring, scratch.flexes.size() - 1)].up;
+    return before + after < 0 ? 0 : friction_.adhesion;
+}
+
 template <class AnyGround>
 void Crawl::meet(const AnyGround& ground, std::uint32_t body, double* x, double* v, double h,
                  Scratch& scratch) noexcept {
@@ -162,7 +170,8 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t body, double* x, double*
         scratch.middles[ring] = 0.25 * sum;
     }
     const double near = kNear * build_.width;
-    for (std::uint32_t ring = 0; ring < lattice_.rings(); ++ring)
+    for (std::uint32_t ring = 0; ring < lattice_.rings(); ++ring) {
+        const double held = h * holds(ring, scratch);
         for (std::uint32_t j = 0; j < kCorners; ++j) {
             const std::size_t i = lattice_.point(body, ring) + j;
             Point point;
@@ -170,11 +179,12 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t body, double* x, double*
             const Touch touch = ground.touch(point.x, i);
             const Vec3 pressed = at(force, packing, i);
             const bool was_pressed = dot(pressed, pressed) > 0;
-            if (!(touch.depth > (was_pressed ? -near : 0))) {
+            if (!(touch.depth > (was_pressed || held > 0 ? -near : 0))) {
                 if (was_pressed) put({}, force, packing, i);
                 continue;
             }
             point.mass = network_->mass[i];
+            point.holds = held;
             point.v = at(v, packing, i);
             point.start = at(start_x_.data(), packing, i);
             point.pressed = h / point.mass * pressed;
@@ -184,6 +194,7 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t body, double* x, double*
             put(point.v, v, packing, i);
             put(point.mass / h * point.pressed, force, packing, i);
         }
+    }
 }
 
 void Crawl::meet_point(const Touch& touch, double h, Point& point, Books& books) const noexcept {
@@ -191,10 +202,11 @@ void Crawl::meet_point(const Touch& touch, double h, Point& point, Books& books)
     const Vec3 moved = point.x - point.start;
     const double into = dot(point.v, n), pressed = dot(point.pressed, n);
     const Vec3 along = across(point.v, n), held = across(point.pressed, n);
-    const double pressing = std::max(0.0, pressed - into);
+    const double pressing = std::max(-point.holds, pressed - into);
     const double left = into + pressing - pressed;
     const Vec3 free = along - held;  // without friction
-    const Vec3 slid = slide(friction_, touch.grip * pressing, free, point.spine, cross(n, point.spine));
+    const Vec3 slid =
+        slide(friction_, touch.grip * (pressing + point.holds), free, point.spine, cross(n, point.spine));
     const double lifted = std::max(0.0, touch.depth - kNear * build_.width);
     // The reaction did work on the way; the impulse turned the rest. What lifts the point works against what
     // presses it down.

@@ -50,6 +50,8 @@ public:
                      double seconds);
     /// Of each body, over all frames that were kept.
     std::span<const Books> books() const noexcept { return kept_; }
+    /// As they were when a run was saved that this one goes on from.
+    void set_books(std::span<const Books> books) { kept_.assign(books.begin(), books.end()); }
     const Ground& ground() const noexcept { return ground_; }
     std::size_t memory_bytes() const noexcept;
 
@@ -73,6 +75,7 @@ private:
 
     template <class F>
     void for_each_body(const F& f) noexcept;
+    double holds(std::uint32_t ring, const Scratch& scratch) const noexcept;
     void set_lengths(std::uint32_t body, double share, Scratch& scratch) noexcept;
     void flex(std::uint32_t body, const double* x, const double* v, double h, Scratch& scratch) noexcept;
     /// A point after a step of h seconds.
@@ -81,6 +84,7 @@ private:
         Vec3 start;        ///< m, before the step
         Vec3 pressed;      ///< m/s, what the ground's reaction gave it during the step
         double mass = 0;   ///< kg
+        double holds = 0;  ///< m/s, what it takes to tear it off
         Vec3 spine, side;  ///< unit
     };
     void meet_point(const Touch& touch, double h, Point& point, Books& books) const noexcept;

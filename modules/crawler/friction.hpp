@@ -12,6 +12,7 @@ enum class FrictionLaw : std::uint8_t { coulomb, one_way };
 struct Friction {
     FrictionLaw law = FrictionLaw::coulomb;
     double forward = 0.3, backward = 0.3, sideways = 0.3;  ///< coefficients, 1
+    double adhesion = 0;  ///< m/s^2, that a point bears to be torn from the ground with
 };
 
 /// A velocity along a surface after friction. `v` (m/s) lies in the surface's plane, as do `spine`, unit, along

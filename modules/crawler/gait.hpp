@@ -31,7 +31,7 @@ struct Gait {
     int way = 1;            ///< 1: waves run from head to tail; -1: from tail to head
     bool strains = false;   ///< has a wave of strain
     bool bends = false;     ///< of curvature to the sides
-    bool lifts = false;     ///< of curvature upwards
+    bool lifts = false;     ///< of curvature upwards; who is lifted holds on to nothing
     double lift_later = 0;  ///< degrees
 };
 

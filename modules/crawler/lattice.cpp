@@ -64,18 +64,20 @@ mass_spring::Network make_network(const Lattice& lattice, const Build& build) {
     return network;
 }
 
+void add_ring_points(const Pose& ring, double width, std::vector<Vec3>& points) {
+    const Vec3 right = ring.right();
+    for (std::uint32_t j = 0; j < kCorners; ++j)
+        points.push_back(ring.middle + width * kRight[j] * right + width * kUp[j] * ring.up);
+}
+
 std::vector<Vec3> straight_points(const Lattice& lattice, const Build& build, std::span<const Pose> poses) {
     std::vector<Vec3> points;
     points.reserve(lattice.points());
-    for (const Pose& pose : poses) {
-        const Vec3 right = pose.right();
+    for (const Pose& pose : poses)
         for (std::uint32_t ring = 0; ring < lattice.rings(); ++ring) {
             const double along = build.segment() * ring - build.length / 2;
-            for (std::uint32_t j = 0; j < kCorners; ++j)
-                points.push_back(pose.middle + along * pose.forward + build.width * kRight[j] * right +
-                                 build.width * kUp[j] * pose.up);
+            add_ring_points({pose.middle + along * pose.forward, pose.forward, pose.up}, build.width, points);
         }
-    }
     return points;
 }
 

@@ -68,6 +68,8 @@ struct Pose {
 /// As many bodies as there are poses, of their middles, driven springs at their lengths at rest. Rings at the
 /// ends have half the mass of others.
 mass_spring::Network make_network(const Lattice& lattice, const Build& build);
+/// m, appended to `points`: the four of a ring.
+void add_ring_points(const Pose& ring, double width, std::vector<Vec3>& points);
 /// m, of all points of straight bodies.
 std::vector<Vec3> straight_points(const Lattice& lattice, const Build& build, std::span<const Pose> poses);
 

@@ -1,0 +1,340 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "crawl.hpp"
+#include "crawler_options.hpp"
+#include "journey.hpp"
+#include "manifest_text.hpp"
+#include "mass_spring/simulation.hpp"
+#include "orbweaver/contracts/creatures.hpp"
+#include "orbweaver/contracts/input.hpp"
+#include "orbweaver/contracts/patches.hpp"
+#include "orbweaver/entry.hpp"
+#include "skin.hpp"
+
+namespace orbweaver::crawler {
+namespace {
+
+/// What a body goes on from, besides its points; numbers of the state.
+struct Pilot {
+    double cycles = 0;        ///< of the gait, since the start
+    double turn = 0;          ///< 1: as far to the left as it turns
+    double start_energy = 0;  ///< J, of all bodies together, at the start
+    Journey journey;
+    Books books;
+};
+constexpr std::size_t kPilotNumbers = sizeof(Pilot) / sizeof(double);
+static_assert(sizeof(Pilot) == kPilotNumbers * sizeof(double));
+
+/// One [crawler] table: bodies of one kind.
+class CrawlerModule final : public Module, public Creatures, public Patches {
+public:
+    void attach(Host& host) override {
+        Diagnostics faults;
+        gravity_ = host.scene().gravity;
+        crawler_ = read_crawler(host.options(), gravity_, faults);
+        const Surface* surface = host.find<Surface>();
+        workers_ = host.find<Workers>();
+        Ground ground = read_ground(host.options(), crawler_, surface, workers_, faults);
+        const std::vector<Vec3> places = read_places(host.options(), crawler_, surface, faults);
+        const bool sound = faults.empty();
+        for (Diagnostic& fault : faults) host.report_fault(std::move(fault));
+        if (!sound) return;
+        name_ = host.options().has("name") ? host.options().text("name") : host.instance_name();
+        kind_ = host.options().has("kind") ? host.options().text("kind") : crawler_.gait->name;
+        lattice_ = {crawler_.count, crawler_.build.segments};
+        network_ = make_network(lattice_, crawler_.build);
+        frame_step_ = host.scene().step;
+        make_state(host, places);
+        make_system(host, std::move(ground));
+        offer_telemetry(host);
+        host.provide<Creatures>(*this);
+        host.provide<Patches>(*this);
+    }
+
+    void meet(Host& host) override {
+        if (host.options().flag("keys")) keys_ = host.find<Input>();
+    }
+
+    void run(Phase phase, const Frame& frame) override {
+        if (phase == Phase::act) {
+            for (std::uint32_t body = 0; body < lattice_.bodies; ++body) steer(body, frame);
+        } else {
+            crawl_->begin_frame(drives_, position_, velocity_, frame.step);
+            simulation_->advance(frame.index, frame.time);
+            note(frame.time + frame.step);
+        }
+    }
+
+    void restored() override {
+        read_pilots();
+        std::vector<Books> books(lattice_.bodies);
+        for (std::size_t i = 0; i < books.size(); ++i) books[i] = pilots_[i].books;
+        crawl_->set_books(books);
+        for (std::uint32_t body = 0; body < lattice_.bodies; ++body) look_at(body);
+    }
+
+    void report(ModuleReport& report) override {
+        report.method = crawler_.settings.method->name;
+        report.steps = simulation_->steps();
+        report.memory_bytes = simulation_->memory_bytes() + crawl_->memory_bytes() + skin_memory();
+        report.has_error = true;
+        report.error = {simulation_->error_estimate(), "m", simulation_->error_method(),
+                        simulation_->error_seconds()};
+        report_body(report);
+        report_motion(report);
+        report_energy(report);
+        const mass_spring::Advice& advice = simulation_->advice();
+        report.measure("stable_step_s", advice.stable_step);
+        report.measure("stable_step_spring", advice.has_spring ? describe_spring(advice.spring) : "none");
+    }
+
+    std::string_view name() const noexcept override { return name_; }
+    std::span<const Vec3> positions() const noexcept override { return centers_; }
+    std::span<const Vec3> velocities() const noexcept override { return center_velocities_; }
+
+    PatchLayout layout() const noexcept override { return skin_layout(lattice_); }
+    PatchMap map() override {
+        if (!skin_) skin_.emplace(kind_, lattice_, crawler_.build);
+        return skin_->map();
+    }
+    std::span<const Vec3> points() override {
+        map();
+        return skin_->points(position_);
+    }
+
+private:
+    void make_state(Host& host, const std::vector<Vec3>& places) {
+        StateStore& state = host.state();
+        const std::size_t count = lattice_.points();
+        position_ = state.vectors("position", count, {"m", "masses: four a ring, rings from tail to head"});
+        velocity_ = state.vectors("velocity", count, {"m/s", "of the masses"});
+        reaction_ = state.vectors("reaction", count, {"N", "by which the ground presses on each mass", false});
+        substep_ = state.scalars("substep", mass_spring::kSimulationMemory,
+                                 {"s", "step in use, and the mark of its method", false});
+        numbers_ = state.scalars("pilot", lattice_.bodies * kPilotNumbers,
+                                 {"1", "all else that they go on from, and their books", false});
+        std::copy(places.begin(), places.end(), position_.begin());
+    }
+
+    void make_system(Host& host, Ground ground) {
+        system_ = std::make_unique<mass_spring::SpringSystem>(network_, workers_);
+        system_->set_surroundings({gravity_, crawler_.drag, {}});
+        system_->use_linear_solver(crawler_.linear_solver);
+        crawl_.emplace(*system_, network_, lattice_, crawler_.build,
+                       Waves(*crawler_.gait, crawler_.form, crawler_.waves, lattice_.segments),
+                       crawler_.friction, std::move(ground), reaction_, crawler_.settings.method->lag,
+                       workers_);
+        system_->set_hooks(&*crawl_);
+        drives_.resize(lattice_.bodies);
+        pilots_.resize(lattice_.bodies);
+        centers_.resize(lattice_.bodies);
+        center_velocities_.resize(lattice_.bodies);
+        rest_volume_ = volume(lattice_, body_points(0));
+        crawl_->begin_frame(drives_, position_, velocity_, frame_step_);
+        crawl_->rewind();
+        for (std::uint32_t body = 0; body < lattice_.bodies; ++body) {
+            look_at(body);
+            pilots_[body].start_energy = system_->energy(position_, velocity_).total();
+            pilots_[body].journey.mark = centers_[body];
+        }
+        write_pilots();
+        crawler_.settings.describe_spring = [this](std::size_t i) { return describe_spring(i); };
+        crawler_.settings.warn = [&host](const std::string& sentence) {
+            host.log(LogLevel::warning, sentence);
+        };
+        crawler_.settings.stop_asked = [&host] { return host.stop_asked(); };
+        simulation_ = std::make_unique<mass_spring::Simulation>(*system_, crawler_.settings, frame_step_,
+                                                                position_, velocity_, substep_);
+    }
+
+    void offer_telemetry(Host& host) {
+        host.telemetry("work_j", [this] { return all_books().muscles; });
+        host.telemetry("friction_loss_j", [this] { return all_books().friction; });
+        host.telemetry("forward_speed_m_s", [this] {
+            double sum = 0;
+            for (std::uint32_t body = 0; body < lattice_.bodies; ++body)
+                sum += dot(center_velocities_[body], heading(body).forward);
+            return sum / lattice_.bodies;
+        });
+    }
+
+    std::span<const Vec3> body_points(std::uint32_t body) const noexcept {
+        return std::span<const Vec3>(position_).subspan(lattice_.point(body, 0), lattice_.points_a_body());
+    }
+
+    /// From the middle of its rear half to that of its front half; up is what its rings say on the whole.
+    Pose heading(std::uint32_t body) const noexcept {
+        const auto points = body_points(body);
+        const std::uint32_t half = lattice_.rings() / 2;
+        Vec3 rear, front, up;
+        for (std::uint32_t ring = 0; ring < lattice_.rings(); ++ring) {
+            const Vec3* corners = &points[std::size_t{kCorners} * ring];
+            if (ring < half) rear += ring_middle(corners);
+            if (ring >= lattice_.rings() - half) front += ring_middle(corners);
+            up += corners[2] + corners[3] - corners[0] - corners[1];
+        }
+        const Vec3 along = front - rear;
+        const double length = norm(along);
+        const Vec3 forward = length > 0 ? along / length : Vec3{1, 0, 0};
+        up = across(up, forward);
+        const double height = norm(up);
+        return {centers_[body], forward, height > 0 ? up / height : Vec3{0, 1, 0}};
+    }
+
+    Command command_for(std::uint32_t body, double time) const {
+        if (body == 0 && keys_ != nullptr) {
+            const InputEvents& held = keys_->latest();
+            return {static_cast<double>(held.walk), static_cast<double>(held.turn)};
+        }
+        if (body == 0)
+            if (const auto told = command_at(crawler_.script, time)) return *told;
+        if (!crawler_.seek && !crawler_.path) return {};
+        const Pose pose = heading(body);
+        const Vec3 aim = crawler_.seek ? *crawler_.seek : aim_along(*crawler_.path, pose.middle);
+        return {1, turn_towards(pose.middle, pose.forward, pose.up, aim)};
+    }
+
+    /// Turns set in over a period, as all muscles do in the first one.
+    void steer(std::uint32_t body, const Frame& frame) {
+        Pilot& pilot = pilots_[body];
+        const Command command = command_for(body, frame.time);
+        const double share = std::min(1.0, frame.step / crawler_.period);
+        Drive& drive = drives_[body];
+        drive.cycles[0] = pilot.cycles;
+        drive.effort[0] = effort_at(frame.time, pilot.turn);
+        pilot.cycles += command.pace * frame.step / crawler_.period;
+        pilot.turn += share * (command.turn - pilot.turn);
+        drive.cycles[1] = pilot.cycles;
+        drive.effort[1] = effort_at(frame.time + frame.step, pilot.turn);
+    }
+
+    Effort effort_at(double time, double turn) const noexcept {
+        const double begun = std::min(1.0, time / crawler_.period), ease = begun * begun * (3 - 2 * begun);
+        const Effort& full = crawler_.effort;
+        return {ease * full.strain, ease * full.bend, ease * full.lift, turn * full.turn};
+    }
+
+    void look_at(std::uint32_t body) noexcept {
+        const std::size_t first = lattice_.point(body, 0);
+        double mass = 0;
+        Vec3 place, momentum;
+        for (std::size_t i = first; i < first + lattice_.points_a_body(); ++i) {
+            mass += network_.mass[i];
+            place += network_.mass[i] * position_[i];
+            momentum += network_.mass[i] * velocity_[i];
+        }
+        centers_[body] = place / mass;
+        center_velocities_[body] = momentum / mass;
+    }
+
+    void note(double now) {
+        const auto books = crawl_->books();
+        for (std::uint32_t body = 0; body < lattice_.bodies; ++body) {
+            look_at(body);
+            Pilot& pilot = pilots_[body];
+            pilot.books = books[body];
+            pilot.journey.go_on(centers_[body], now, pilot.cycles);
+            const double change = std::abs(volume(lattice_, body_points(body)) / rest_volume_ - 1);
+            pilot.journey.volume_error = std::max(pilot.journey.volume_error, change);
+        }
+        now_ = now;
+        write_pilots();
+    }
+
+    void write_pilots() noexcept {
+        std::copy_n(reinterpret_cast<const double*>(pilots_.data()), numbers_.size(), numbers_.begin());
+    }
+    void read_pilots() noexcept {
+        std::copy(numbers_.begin(), numbers_.end(), reinterpret_cast<double*>(pilots_.data()));
+    }
+
+    Books all_books() const noexcept {
+        Books sum;
+        for (const Books& each : crawl_->books()) sum += each;
+        return sum;
+    }
+
+    void report_body(ModuleReport& report) const {
+        report.measure("crawlers", static_cast<std::int64_t>(lattice_.bodies));
+        report.measure("particles", static_cast<std::int64_t>(network_.size()));
+        report.measure("springs", static_cast<std::int64_t>(network_.springs.size()));
+        report.measure("body_mass_kg", crawler_.build.mass);
+    }
+
+    void report_motion(ModuleReport& report) const {
+        double speed = 0, volume_error = 0;
+        for (std::uint32_t body = 0; body < lattice_.bodies; ++body) {
+            const Journey& journey = pilots_[body].journey;
+            speed += journey.speed(centers_[body], now_) / lattice_.bodies;
+            volume_error = std::max(volume_error, journey.volume_error);
+        }
+        const Books books = all_books();
+        report.measure("mean_speed_m_s", speed);
+        report.measure("lengths_per_cycle", speed * crawler_.period / crawler_.build.length);
+        report.measure("waves_per_length", crawler_.waves);
+        report.measure("max_volume_error", volume_error);
+        report.measure("mean_slip_m_s", books.contact > 0 ? books.slip / books.contact : 0);
+        report.measure("points_on_ground", now_ > 0 ? books.contact / now_ / lattice_.bodies : 0);
+    }
+
+    void report_energy(ModuleReport& report) const {
+        const Books books = all_books();
+        const double change = system_->energy(position_, velocity_).total() - pilots_[0].start_energy;
+        const double rest = books.muscles - books.friction - books.impact - books.damping - change;
+        const double moved = std::abs(books.muscles) + std::abs(change);
+        double way = 0;
+        for (const Pilot& pilot : pilots_) way += pilot.journey.way;
+        report.measure("work_in_j", books.muscles);
+        report.measure("friction_loss_j", books.friction);
+        report.measure("impact_loss_j", books.impact);
+        report.measure("damping_loss_j", books.damping);
+        report.measure("energy_change_j", change);
+        report.measure("unexplained_energy_j", rest);
+        report.measure("unexplained_share", moved > 0 ? std::abs(rest) / moved : 0);
+        report.measure("energy_gain_j", simulation_->energy_gain());
+        if (way > 0 && norm(gravity_) > 0)
+            report.measure("cost_of_transport", books.muscles / (crawler_.build.mass * norm(gravity_) * way));
+    }
+
+    std::string describe_spring(std::size_t i) const {
+        const mass_spring::Spring& spring = network_.springs[i];
+        const std::size_t body = i / lattice_.springs_a_body(), within = i % lattice_.springs_a_body();
+        constexpr std::size_t kEach = Lattice::kRingSprings + Lattice::kSegmentSprings;
+        const bool of_ring = within % kEach < Lattice::kRingSprings;
+        return fmt::format("spring {} ({} {} of crawler {}, particles {} and {})", i,
+                           of_ring ? "ring" : "segment", within / kEach, body, spring.a, spring.b);
+    }
+
+    std::size_t skin_memory() const noexcept { return skin_ ? skin_->memory_bytes() : 0; }
+
+    Vec3 gravity_;  // m/s^2
+    Crawler crawler_;
+    std::string name_, kind_;
+    Lattice lattice_;
+    mass_spring::Network network_;
+    double frame_step_ = 0;                          // s
+    std::span<Vec3> position_, velocity_;            // state
+    std::span<Vec3> reaction_;                       // state, N
+    std::span<double> substep_, numbers_;            // state
+    std::vector<Pilot> pilots_;                      // as numbers_ has them
+    std::vector<Vec3> centers_, center_velocities_;  // m, m/s, of mass
+    std::vector<Drive> drives_;
+    double rest_volume_ = 1;  // m^3
+    double now_ = 0;          // s
+    Workers* workers_ = nullptr;
+    const Input* keys_ = nullptr;
+    std::unique_ptr<mass_spring::SpringSystem> system_;
+    std::optional<Crawl> crawl_;
+    std::unique_ptr<mass_spring::Simulation> simulation_;
+    std::optional<Skin> skin_;  // made when somebody looks
+};
+
+}  // namespace
+}  // namespace orbweaver::crawler
+
+ORBWEAVER_MODULE(orbweaver::crawler::CrawlerModule)
