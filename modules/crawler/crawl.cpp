@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mass_spring/lanes.hpp"
+
 namespace orbweaver::crawler {
 
-using mass_spring::Packing;
+using mass_spring::load, mass_spring::store, mass_spring::Vec3Lanes;
 
 namespace {
 
@@ -18,68 +20,145 @@ Effort between(const Effort& a, const Effort& b, double share) noexcept {
     return {mix(a.strain, b.strain), mix(a.bend, b.bend), mix(a.lift, b.lift), mix(a.turn, b.turn)};
 }
 
-Vec3 at(const double* planes, const Packing& packing, std::size_t point) noexcept {
-    const std::size_t i = packing.place(point), plane = packing.plane();
-    return {planes[i], planes[plane + i], planes[2 * plane + i]};
-}
-
-void put(const Vec3& to, double* planes, const Packing& packing, std::size_t point) noexcept {
-    const std::size_t i = packing.place(point), plane = packing.plane();
-    planes[i] = to.x, planes[plane + i] = to.y, planes[2 * plane + i] = to.z;
-}
-
-/// Along the body at a ring, from the middles of its neighbors (Miller's local spine vector), in the plane of
-/// the ground there. Where that has none, nothing tells forward from sideways.
-Vec3 spine_at(std::span<const Vec3> middles, std::uint32_t ring, const Vec3& normal) noexcept {
+/// Along the body at a ring, from the middles of its neighbors (Miller's local spine vector).
+Vec3 spine_at(std::span<const Vec3> middles, std::size_t ring) noexcept {
     const std::size_t before = ring > 0 ? ring - 1 : 0;
-    const std::size_t after = std::min<std::size_t>(ring + 1, middles.size() - 1);
-    const Vec3 along = across(middles[after] - middles[before], normal);
-    const double length = norm(along);
-    if (length > 0) return along / length;
-    const Vec3 any = across(std::abs(normal.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}, normal);
-    return any / norm(any);
+    const std::size_t after = std::min(ring + 1, middles.size() - 1);
+    return middles[after] - middles[before];
+}
+
+/// Whether muscles hump a ring: then it holds on to nothing.
+bool is_lifted(std::span<const Flex> flexes, std::size_t ring) noexcept {
+    return flexes[ring > 0 ? ring - 1 : 0].up + flexes[std::min(ring, flexes.size() - 1)].up < 0;
+}
+
+ORBWEAVER_INLINE double sum(const Lanes& of) noexcept { return (of[0] + of[1]) + (of[2] + of[3]); }
+ORBWEAVER_INLINE Vec3Lanes in_all(const Vec3& v) noexcept {
+    return {orbweaver::in_all(v.x), orbweaver::in_all(v.y), orbweaver::in_all(v.z)};
+}
+ORBWEAVER_INLINE Vec3Lanes either(const LaneBits& first, const Vec3Lanes& a, const Vec3Lanes& b) noexcept {
+    return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
+}
+ORBWEAVER_INLINE Vec3Lanes crossed(const Vec3Lanes& a, const Vec3Lanes& b) noexcept {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// The four points of a ring with regard to the ground.
+struct RingTouch {
+    Lanes depth;       ///< m
+    Vec3Lanes normal;  ///< unit
+    Lanes grip;
+};
+
+template <class AnyGround>
+ORBWEAVER_INLINE RingTouch touch_ring(const AnyGround& ground, const Vec3Lanes& x, std::size_t first) noexcept {
+    RingTouch ring;
+    for (std::size_t j = 0; j < kCorners; ++j) {
+        const Touch touch = ground.touch({x.x[j], x.y[j], x.z[j]}, first + j);
+        ring.depth[j] = touch.depth;
+        ring.normal.x[j] = touch.normal.x, ring.normal.y[j] = touch.normal.y, ring.normal.z[j] = touch.normal.z;
+        ring.grip[j] = touch.grip;
+    }
+    return ring;
+}
+
+/// In the plane across a normal, of length 1. Where it has nothing there, nothing tells forward from sideways.
+ORBWEAVER_INLINE Vec3Lanes laid_across(const Vec3& spine, const Vec3Lanes& normal) noexcept {
+    const auto without = [&](const Vec3Lanes& v)
+                             ORBWEAVER_ALWAYS_INLINE { return v - normal * dot(v, normal); };
+    const Vec3Lanes along = without(in_all(spine));
+    const Lanes square = dot(along, along);
+    const LaneBits is_steep = absolute(normal.x) < orbweaver::in_all(0.5);
+    const Vec3Lanes any = without(either(is_steep, in_all(Vec3{1, 0, 0}), in_all(Vec3{0, 0, 1})));
+    const Vec3Lanes chosen = either(square > Lanes{}, along, any);
+    return chosen * (1 / mass_spring::sqrt(dot(chosen, chosen)));
+}
+
+/// A ring after a step of h seconds.
+struct Ring {
+    Vec3Lanes x, v;        ///< m, m/s
+    Vec3Lanes start;       ///< m, before the step
+    Vec3Lanes pressed;     ///< m/s, what the ground's reaction gave it during the step
+    Lanes mass;            ///< kg
+    double holds = 0;      ///< m/s, what it takes to tear it off
+    double allowance = 0;  ///< m, deep in the ground within which it may stay
+};
+
+struct RingBooks {
+    Lanes friction{}, impact{}, slip{}, contacts{};
+};
+
+/// Those of its points that `are_on` the ground are met by it.
+ORBWEAVER_INLINE void meet_ground(const RingTouch& touch, const LaneBits& are_on, const Friction& friction,
+                                  const Vec3& spine_vector, double h, Ring& ring, RingBooks& books) noexcept {
+    const Vec3Lanes n = touch.normal, moved = ring.x - ring.start;
+    const Vec3Lanes spine = laid_across(spine_vector, n), side = crossed(n, spine);
+    const Lanes into = dot(ring.v, n), pressed = dot(ring.pressed, n), on_way = dot(moved, n);
+    const Vec3Lanes along = ring.v - n * into, held = ring.pressed - n * pressed;
+    const Lanes pressing = larger_of(orbweaver::in_all(-ring.holds), pressed - into);
+    const Lanes left = into + pressing - pressed;
+    const Vec3Lanes free = along - held;  // without friction
+    const Sliding slid = slide(friction, touch.grip * (pressing + ring.holds),
+                               {are_on ? dot(free, spine) : Lanes{}, are_on ? dot(free, side) : Lanes{}});
+    const Vec3Lanes slides = spine * slid.along + side * slid.across;
+    const Lanes lifted = larger_of(touch.depth - ring.allowance, Lanes{});
+    // The reaction did work on the way; the impulse turned the rest. What lifts the point works against what
+    // presses it down.
+    const Lanes by_friction =
+        ring.mass * (dot(held, moved) / h + 0.5 * (dot(slides, slides) - dot(along, along)));
+    const Lanes by_impact =
+        ring.mass * (pressed * on_way / h + 0.5 * (left * left - into * into) + pressing * lifted / h);
+    const Vec3Lanes slip = moved - n * on_way;
+    books.friction -= are_on ? by_friction : Lanes{};
+    books.impact -= are_on ? by_impact : Lanes{};
+    books.slip += are_on ? mass_spring::sqrt(dot(slip, slip)) : Lanes{};
+    books.contacts += are_on ? orbweaver::in_all(1) : Lanes{};
+    ring.x = either(are_on, ring.x + n * lifted, ring.x);
+    ring.v = either(are_on, slides + n * left, ring.v);
+    ring.pressed = either(are_on, n * pressing + slides - free, ring.pressed);
 }
 
 }  // namespace
 
 Books& Books::operator+=(const Books& o) noexcept {
     muscles += o.muscles;
+    damping += o.damping;
     friction += o.friction;
     impact += o.impact;
-    damping += o.damping;
     slip += o.slip;
     contact += o.contact;
     return *this;
 }
 
-Crawl::Crawl(mass_spring::SpringSystem& system, mass_spring::Network& network, const Lattice& lattice,
-             const Build& build, const Waves& waves, const Friction& friction, Ground ground,
-             std::span<Vec3> reaction, double lag, Workers* workers)
+Crawl::Crawl(mass_spring::SpringSystem& system, const Lattice& lattice, const Build& build, const Waves& waves,
+             const Friction& friction, Ground ground, std::span<Vec3> reaction, double lag, Workers* workers)
     : system_(&system),
-      network_(&network),
       lattice_(lattice),
       build_(build),
       waves_(waves),
       friction_(friction),
       ground_(std::move(ground)),
       workers_(workers),
-      drives_(lattice.bodies),
-      frame_(lattice.bodies),
-      kept_(lattice.bodies),
       lag_(lag),
       reaction_(reaction),
       start_reaction_(reaction.size()),
-      scratch_(lattice.bodies,
-               {std::vector<Flex>(lattice.segments), std::vector<double>(lattice.springs_a_body()),
-                std::vector<Vec3>(lattice.rings()), Muscles(build)}) {}
+      drives_(lattice.bodies),
+      bodies_(lattice.bodies, {Muscles(build),
+                               std::vector<Flex>(lattice.segments),
+                               std::vector<double>(lattice.springs_a_body()),
+                               std::vector<Vec3>(lattice.rings()),
+                               {}}) {
+    system.set_hooks(this);
+}
 
 template <class F>
 void Crawl::for_each_body(const F& f) noexcept {
+    constexpr std::size_t kGrain = 4;
     auto range = [&](std::size_t begin, std::size_t end) {
         for (std::size_t body = begin; body < end; ++body) f(static_cast<std::uint32_t>(body));
     };
     if (workers_ != nullptr)
-        workers_->for_each_range(lattice_.bodies, 4, range);
+        workers_->for_each_range(lattice_.bodies, kGrain, range);
     else
         range(0, lattice_.bodies);
 }
@@ -94,157 +173,113 @@ void Crawl::begin_frame(std::span<const Drive> drives, std::span<const Vec3> x, 
 
 void Crawl::rewind() noexcept {
     elapsed_ = 0;
+    frame_ = {};
+    for (Body& body : bodies_) body.frame = {};
     system_->packing().pack(start_reaction_, system_->hook_forces());
-    frame_.assign(frame_.size(), {});
-    for_each_body([&](std::uint32_t body) {
-        Scratch& scratch = scratch_[body];
-        set_lengths(body, 0, scratch);
-        const std::size_t first = lattice_.ring_spring(body, 0);
-        for (std::size_t i = 0; i < scratch.rest.size(); ++i)
-            network_->springs[first + i].rest_length = scratch.rest[i];
-    });
-    system_->rest_lengths_changed();
+    for_each_body([&](std::uint32_t body) { find_lengths(body, 0); });
+    system_->set_rest_lengths();
 }
 
-void Crawl::set_lengths(std::uint32_t body, double share, Scratch& scratch) noexcept {
-    const Drive& drive = drives_[body];
+void Crawl::find_lengths(std::uint32_t number, double share) noexcept {
+    const Drive& drive = drives_[number];
+    Body& body = bodies_[number];
     waves_.flex(std::lerp(drive.cycles[0], drive.cycles[1], share),
-                between(drive.effort[0], drive.effort[1], share), scratch.flexes);
-    scratch.muscles.lengths(scratch.flexes, scratch.rest);
+                between(drive.effort[0], drive.effort[1], share), body.flexes);
+    body.muscles.lengths(body.flexes, body.rest);
+    const std::size_t first = lattice_.ring_spring(number, 0);
+    double* next = system_->next_rest_lengths().data();
+    for (std::size_t i = 0; i < body.rest.size(); ++i) next[system_->rest_place(first + i)] = body.rest[i];
 }
 
+// Springs get the lengths of the step's end.
 void Crawl::before_step(std::span<const double> x, std::span<const double> v, double h) noexcept {
     start_x_.assign(x.begin(), x.end());
-    for_each_body([&](std::uint32_t body) { flex(body, x.data(), v.data(), h, scratch_[body]); });
-    system_->rest_lengths_changed();
-}
-
-// Springs get the lengths of the step's end. What muscles do is how much more the springs hold for it, at
-// positions as old as the velocities: it is there that a method with a lag keeps energy.
-void Crawl::flex(std::uint32_t body, const double* x, const double* v, double h, Scratch& scratch) noexcept {
-    set_lengths(body, std::min(1.0, (elapsed_ + h) / seconds_), scratch);
-    const Packing& packing = system_->packing();
-    const std::size_t first = lattice_.ring_spring(body, 0);
-    double doubled_work = 0, power = 0;
-    for (std::size_t i = 0; i < scratch.rest.size(); ++i) {
-        mass_spring::Spring& spring = network_->springs[first + i];
-        const Vec3 l = at(x, packing, spring.a) - at(x, packing, spring.b);
-        const Vec3 moving = at(v, packing, spring.a) - at(v, packing, spring.b);
-        const double square = dot(l, l), rate = dot(l, moving);
-        const double before = spring.rest_length, after = scratch.rest[i];
-        doubled_work +=
-            spring.stiffness * (after - before) * (after + before - 2 * norm(l - lag_ * h * moving));
-        if (square > 0) power += spring.damping * rate * rate / square;
-        spring.rest_length = after;
-    }
-    frame_[body].muscles += doubled_work / 2;
-    frame_[body].damping += h * power;
+    const double share = std::min(1.0, (elapsed_ + h) / seconds_);
+    for_each_body([&](std::uint32_t body) { find_lengths(body, share); });
+    const mass_spring::DriveWork done = system_->drive(x, v, lag_ * h);
+    frame_.muscles += done.work;
+    frame_.damping += h * done.damping;
 }
 
 void Crawl::after_step(std::span<double> x, std::span<double> v, double h) noexcept {
     elapsed_ += h;
     std::visit(
-        [&](const auto& ground) {
-            for_each_body(
-                [&](std::uint32_t body) { meet(ground, body, x.data(), v.data(), h, scratch_[body]); });
-        },
+        [&](const auto& ground) { for_each_body([&](std::uint32_t body) { meet(ground, body, x, v, h); }); },
         ground_);
 }
 
-/// m/s^2, that it takes to tear a ring's points off: nothing where both its segments, or one at an end, hump.
-double Crawl::holds(std::uint32_t ring, const Scratch& scratch) const noexcept {
-    if (!(friction_.adhesion > 0)) return 0;
-    const double before = scratch.flexes[ring > 0 ? ring - 1 : 0].up;
-    const double after = scratch.flexes[std::min<std::size_t>(ring, scratch.flexes.size() - 1)].up;
-    return before + after < 0 ? 0 : friction_.adhesion;
-}
-
 template <class AnyGround>
-void Crawl::meet(const AnyGround& ground, std::uint32_t body, double* x, double* v, double h,
-                 Scratch& scratch) noexcept {
-    const Packing& packing = system_->packing();
-    double* force = system_->hook_forces().data();
+void Crawl::meet(const AnyGround& ground, std::uint32_t number, std::span<double> x, std::span<double> v,
+                 double h) noexcept {
+    Body& body = bodies_[number];
+    const std::size_t plane = system_->packing().plane(), first = lattice_.point(number, 0);
     for (std::uint32_t ring = 0; ring < lattice_.rings(); ++ring) {
-        Vec3 sum;
-        for (std::uint32_t j = 0; j < kCorners; ++j) sum += at(x, packing, lattice_.point(body, ring) + j);
-        scratch.middles[ring] = 0.25 * sum;
+        const Vec3Lanes at = load(x.data() + first + std::size_t{kCorners} * ring, plane);
+        body.middles[ring] = 0.25 * Vec3{sum(at.x), sum(at.y), sum(at.z)};
     }
     const double near = kNear * build_.width;
-    for (std::uint32_t ring = 0; ring < lattice_.rings(); ++ring) {
-        const double held = h * holds(ring, scratch);
-        for (std::uint32_t j = 0; j < kCorners; ++j) {
-            const std::size_t i = lattice_.point(body, ring) + j;
-            Point point;
-            point.x = at(x, packing, i);
-            const Touch touch = ground.touch(point.x, i);
-            const Vec3 pressed = at(force, packing, i);
-            const bool was_pressed = dot(pressed, pressed) > 0;
-            if (!(touch.depth > (was_pressed || held > 0 ? -near : 0))) {
-                if (was_pressed) put({}, force, packing, i);
+    double* const reactions = system_->hook_forces().data();
+    const double* const mass = system_->network().mass.data();
+    RingBooks books;
+    run_wide([&]() ORBWEAVER_ALWAYS_INLINE {
+        for (std::size_t ring = 0; ring < body.middles.size(); ++ring) {
+            const std::size_t i = first + kCorners * ring;
+            const Vec3Lanes place = load(x.data() + i, plane);
+            const RingTouch touch = touch_ring(ground, place, i);
+            const LaneBits is_near = touch.depth > orbweaver::in_all(-near);
+            if (!is_any(is_near)) {
+                store(reactions + i, plane, Vec3Lanes{});
                 continue;
             }
-            point.mass = network_->mass[i];
-            point.holds = held;
-            point.v = at(v, packing, i);
-            point.start = at(start_x_.data(), packing, i);
-            point.pressed = h / point.mass * pressed;
-            point.spine = spine_at(scratch.middles, ring, touch.normal);
-            meet_point(touch, h, point, frame_[body]);
-            put(point.x, x, packing, i);
-            put(point.v, v, packing, i);
-            put(point.mass / h * point.pressed, force, packing, i);
+            const bool holds = friction_.adhesion > 0 && !is_lifted(body.flexes, ring);
+            const Vec3Lanes reaction = load(reactions + i, plane);
+            const LaneBits was_on = dot(reaction, reaction) > orbweaver::in_all(holds ? -1 : 0);
+            const LaneBits are_on = is_near & (was_on | (touch.depth > Lanes{}));
+            const Lanes masses = load(mass + i);
+            Ring points{place,
+                        load(v.data() + i, plane),
+                        load(start_x_.data() + i, plane),
+                        either(is_near, reaction, Vec3Lanes{}) * (h / masses),
+                        masses,
+                        holds ? h * friction_.adhesion : 0,
+                        near};
+            meet_ground(touch, are_on, friction_, spine_at(body.middles, ring), h, points, books);
+            store(x.data() + i, plane, points.x);
+            store(v.data() + i, plane, points.v);
+            store(reactions + i, plane, points.pressed * (masses / h));
         }
-    }
-}
-
-void Crawl::meet_point(const Touch& touch, double h, Point& point, Books& books) const noexcept {
-    const Vec3& n = touch.normal;
-    const Vec3 moved = point.x - point.start;
-    const double into = dot(point.v, n), pressed = dot(point.pressed, n);
-    const Vec3 along = across(point.v, n), held = across(point.pressed, n);
-    const double pressing = std::max(-point.holds, pressed - into);
-    const double left = into + pressing - pressed;
-    const Vec3 free = along - held;  // without friction
-    const Vec3 slid =
-        slide(friction_, touch.grip * (pressing + point.holds), free, point.spine, cross(n, point.spine));
-    const double lifted = std::max(0.0, touch.depth - kNear * build_.width);
-    // The reaction did work on the way; the impulse turned the rest. What lifts the point works against what
-    // presses it down.
-    books.friction -= point.mass * (dot(held, moved) / h + 0.5 * (dot(slid, slid) - dot(along, along)));
-    books.impact -=
-        point.mass * (pressed * dot(n, moved) / h + 0.5 * (left * left - into * into) + pressing * lifted / h);
-    books.slip += norm(across(moved, n));
-    books.contact += h;
-    point.x += lifted * n;
-    point.v = slid + left * n;
-    point.pressed = pressing * n + slid - free;
+    });
+    body.frame.friction += sum(books.friction);
+    body.frame.impact += sum(books.impact);
+    body.frame.slip += sum(books.slip);
+    body.frame.contact += h * sum(books.contacts);
 }
 
 double Crawl::work() const noexcept {
-    double sum = 0;
-    for (const Books& each : frame_) sum += each.muscles - each.friction - each.impact;
+    double sum = frame_.muscles;
+    for (const Body& body : bodies_) sum -= body.frame.friction + body.frame.impact;
     return sum;
 }
 
 double Crawl::turnover() const noexcept {
-    double sum = 0;
-    for (const Books& each : frame_) sum += std::abs(each.muscles) + each.friction + std::abs(each.impact);
+    double sum = std::abs(frame_.muscles);
+    for (const Body& body : bodies_) sum += std::abs(body.frame.friction) + std::abs(body.frame.impact);
     return sum;
 }
 
 void Crawl::keep() noexcept {
-    for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += frame_[i];
+    kept_ += frame_;
+    for (const Body& body : bodies_) kept_ += body.frame;
     system_->packing().unpack(system_->hook_forces(), reaction_);
 }
 
 std::size_t Crawl::memory_bytes() const noexcept {
-    std::size_t bytes = (frame_.capacity() + kept_.capacity()) * sizeof(Books) +
-                        drives_.capacity() * sizeof(Drive) +
-                        network_->springs.capacity() * sizeof(mass_spring::Spring);
-    for (const Scratch& each : scratch_)
-        bytes += sizeof(Scratch) + each.flexes.capacity() * sizeof(Flex) +
-                 (each.rest.capacity() + each.flexes.size() + 1) * sizeof(double) +
-                 each.middles.capacity() * sizeof(Vec3);
+    std::size_t bytes = drives_.capacity() * sizeof(Drive) + start_reaction_.capacity() * sizeof(Vec3) +
+                        start_x_.capacity() * sizeof(double);
+    for (const Body& body : bodies_)
+        bytes += sizeof(Body) + body.flexes.capacity() * sizeof(Flex) +
+                 (body.rest.capacity() + lattice_.rings()) * sizeof(double) +
+                 body.middles.capacity() * sizeof(Vec3);
     if (const auto* surface = std::get_if<SurfaceGround>(&ground_)) bytes += surface->memory_bytes();
     return bytes;
 }

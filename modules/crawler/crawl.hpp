@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -14,18 +15,18 @@
 
 namespace orbweaver::crawler {
 
-/// What muscles are told for one frame, from its begin to its end; in between it changes evenly.
+/// What muscles are told for one frame, at its begin and at its end; in between it changes evenly.
 struct Drive {
-    double cycles[2] = {0, 0};  ///< of the gait, since the start
-    Effort effort[2];
+    std::array<double, 2> cycles{};  ///< of the gait, since the start
+    std::array<Effort, 2> effort{};
 };
 
-/// J, over a frame or a run, and what goes with them.
+/// J, over a frame or a run of all bodies, and what goes with them.
 struct Books {
     double muscles = 0;   ///< that muscles did
+    double damping = 0;   ///< that springs' damping took
     double friction = 0;  ///< that sliding took
     double impact = 0;    ///< that the ground took of motion into it, less what it gave by lifting points
-    double damping = 0;   ///< that springs' damping took
     double slip = 0;      ///< m, that points slid on the ground, all together
     double contact = 0;   ///< s, that points were on the ground, all together
 
@@ -39,20 +40,18 @@ struct Books {
 /// jump: the impulse after the step is what that fell short of. The reactions are state.
 class Crawl final : public mass_spring::StepHooks {
 public:
-    /// `network` is the system's, of the lattice and build; both outlive it.
-    /// `reaction` (N, one per point) is the owner's state; `lag` is that of the method (see MethodInfo).
-    Crawl(mass_spring::SpringSystem& system, mass_spring::Network& network, const Lattice& lattice,
-          const Build& build, const Waves& waves, const Friction& friction, Ground ground,
-          std::span<Vec3> reaction, double lag, Workers* workers);
+    /// `system` is of the lattice's network as `build` makes it, has these hooks from then on, and outlives
+    /// them. `reaction` (N, one per point) is the owner's state; `lag` is that of the method (see MethodInfo).
+    Crawl(mass_spring::SpringSystem& system, const Lattice& lattice, const Build& build, const Waves& waves,
+          const Friction& friction, Ground ground, std::span<Vec3> reaction, double lag, Workers* workers);
 
     /// A frame of so many seconds begins at x (m), v (m/s); one drive for each body.
     void begin_frame(std::span<const Drive> drives, std::span<const Vec3> x, std::span<const Vec3> v,
                      double seconds);
-    /// Of each body, over all frames that were kept.
-    std::span<const Books> books() const noexcept { return kept_; }
+    /// Over all frames that were kept.
+    const Books& books() const noexcept { return kept_; }
     /// As they were when a run was saved that this one goes on from.
-    void set_books(std::span<const Books> books) { kept_.assign(books.begin(), books.end()); }
-    const Ground& ground() const noexcept { return ground_; }
+    void set_books(const Books& books) noexcept { kept_ = books; }
     std::size_t memory_bytes() const noexcept;
 
     void rewind() noexcept override;
@@ -63,52 +62,38 @@ public:
     void keep() noexcept override;
 
 private:
-    /// Room for one body, where threads share the work one for each.
-    struct Scratch {
-        std::vector<Flex> flexes;
-        std::vector<double> rest;
-        std::vector<Vec3> middles;
+    /// Of one body: threads share the bodies.
+    struct Body {
         Muscles muscles;
+        std::vector<Flex> flexes;
+        std::vector<double> rest;   ///< m, in the order of its springs
+        std::vector<Vec3> middles;  ///< m, of rings
+        Books frame;
     };
-    /// Vectors as planes.
-    struct Planes;
 
     template <class F>
     void for_each_body(const F& f) noexcept;
-    double holds(std::uint32_t ring, const Scratch& scratch) const noexcept;
-    void set_lengths(std::uint32_t body, double share, Scratch& scratch) noexcept;
-    void flex(std::uint32_t body, const double* x, const double* v, double h, Scratch& scratch) noexcept;
-    /// A point after a step of h seconds.
-    struct Point {
-        Vec3 x, v;         ///< m, m/s
-        Vec3 start;        ///< m, before the step
-        Vec3 pressed;      ///< m/s, what the ground's reaction gave it during the step
-        double mass = 0;   ///< kg
-        double holds = 0;  ///< m/s, what it takes to tear it off
-        Vec3 spine, side;  ///< unit
-    };
-    void meet_point(const Touch& touch, double h, Point& point, Books& books) const noexcept;
+    void find_lengths(std::uint32_t body, double share) noexcept;
     template <class AnyGround>
-    void meet(const AnyGround& ground, std::uint32_t body, double* x, double* v, double h,
-              Scratch& scratch) noexcept;
+    void meet(const AnyGround& ground, std::uint32_t number, std::span<double> x, std::span<double> v,
+              double h) noexcept;
 
     mass_spring::SpringSystem* system_;
-    mass_spring::Network* network_;
     Lattice lattice_;
     Build build_;
     Waves waves_;
     Friction friction_;
     Ground ground_;
     Workers* workers_;
-    std::vector<Drive> drives_;
-    double seconds_ = 1;  ///< of the frame
-    double elapsed_ = 0;  ///< s, of it
-    std::vector<Books> frame_, kept_;
     double lag_;                        // steps
     std::span<Vec3> reaction_;          // N, state
     std::vector<Vec3> start_reaction_;  // N, of the frame
     std::vector<double> start_x_;       // m, packed, of the step
-    std::vector<Scratch> scratch_;
+    std::vector<Drive> drives_;
+    double seconds_ = 1;  // of the frame
+    double elapsed_ = 0;  // s, of it
+    Books frame_, kept_;
+    std::vector<Body> bodies_;
 };
 
 }  // namespace orbweaver::crawler

@@ -21,14 +21,18 @@ namespace {
 
 /// What a body goes on from, besides its points; numbers of the state.
 struct Pilot {
-    double cycles = 0;        ///< of the gait, since the start
-    double turn = 0;          ///< 1: as far to the left as it turns
-    double start_energy = 0;  ///< J, of all bodies together, at the start
+    double cycles = 0;  ///< of the gait, since the start
+    double turn = 0;    ///< 1: as far to the left as it turns
     Journey journey;
+};
+/// Of all bodies together.
+struct Account {
+    double start_energy = 0;  ///< J, at the start
     Books books;
 };
-constexpr std::size_t kPilotNumbers = sizeof(Pilot) / sizeof(double);
-static_assert(sizeof(Pilot) == kPilotNumbers * sizeof(double));
+/// Both are kept as numbers.
+template <class T>
+constexpr std::size_t kNumbers = sizeof(T) / sizeof(double);
 
 /// One [crawler] table: bodies of one kind.
 class CrawlerModule final : public Module, public Creatures, public Patches {
@@ -72,9 +76,7 @@ public:
 
     void restored() override {
         read_pilots();
-        std::vector<Books> books(lattice_.bodies);
-        for (std::size_t i = 0; i < books.size(); ++i) books[i] = pilots_[i].books;
-        crawl_->set_books(books);
+        crawl_->set_books(account_.books);
         for (std::uint32_t body = 0; body < lattice_.bodies; ++body) look_at(body);
     }
 
@@ -116,7 +118,7 @@ private:
         reaction_ = state.vectors("reaction", count, {"N", "by which the ground presses on each mass", false});
         substep_ = state.scalars("substep", mass_spring::kSimulationMemory,
                                  {"s", "step in use, and the mark of its method", false});
-        numbers_ = state.scalars("pilot", lattice_.bodies * kPilotNumbers,
+        numbers_ = state.scalars("pilot", lattice_.bodies * kNumbers<Pilot> + kNumbers<Account>,
                                  {"1", "all else that they go on from, and their books", false});
         std::copy(places.begin(), places.end(), position_.begin());
     }
@@ -125,11 +127,10 @@ private:
         system_ = std::make_unique<mass_spring::SpringSystem>(network_, workers_);
         system_->set_surroundings({gravity_, crawler_.drag, {}});
         system_->use_linear_solver(crawler_.linear_solver);
-        crawl_.emplace(*system_, network_, lattice_, crawler_.build,
+        crawl_.emplace(*system_, lattice_, crawler_.build,
                        Waves(*crawler_.gait, crawler_.form, crawler_.waves, lattice_.segments),
                        crawler_.friction, std::move(ground), reaction_, crawler_.settings.method->lag,
                        workers_);
-        system_->set_hooks(&*crawl_);
         drives_.resize(lattice_.bodies);
         pilots_.resize(lattice_.bodies);
         centers_.resize(lattice_.bodies);
@@ -139,9 +140,9 @@ private:
         crawl_->rewind();
         for (std::uint32_t body = 0; body < lattice_.bodies; ++body) {
             look_at(body);
-            pilots_[body].start_energy = system_->energy(position_, velocity_).total();
             pilots_[body].journey.mark = centers_[body];
         }
+        account_.start_energy = system_->energy(position_, velocity_).total();
         write_pilots();
         crawler_.settings.describe_spring = [this](std::size_t i) { return describe_spring(i); };
         crawler_.settings.warn = [&host](const std::string& sentence) {
@@ -153,8 +154,8 @@ private:
     }
 
     void offer_telemetry(Host& host) {
-        host.telemetry("work_j", [this] { return all_books().muscles; });
-        host.telemetry("friction_loss_j", [this] { return all_books().friction; });
+        host.telemetry("work_j", [this] { return crawl_->books().muscles; });
+        host.telemetry("friction_loss_j", [this] { return crawl_->books().friction; });
         host.telemetry("forward_speed_m_s", [this] {
             double sum = 0;
             for (std::uint32_t body = 0; body < lattice_.bodies; ++body)
@@ -233,11 +234,10 @@ private:
     }
 
     void note(double now) {
-        const auto books = crawl_->books();
+        account_.books = crawl_->books();
         for (std::uint32_t body = 0; body < lattice_.bodies; ++body) {
             look_at(body);
             Pilot& pilot = pilots_[body];
-            pilot.books = books[body];
             pilot.journey.go_on(centers_[body], now, pilot.cycles);
             const double change = std::abs(volume(lattice_, body_points(body)) / rest_volume_ - 1);
             pilot.journey.volume_error = std::max(pilot.journey.volume_error, change);
@@ -247,16 +247,16 @@ private:
     }
 
     void write_pilots() noexcept {
-        std::copy_n(reinterpret_cast<const double*>(pilots_.data()), numbers_.size(), numbers_.begin());
+        const auto* pilots = reinterpret_cast<const double*>(pilots_.data());
+        const auto* account = reinterpret_cast<const double*>(&account_);
+        std::copy_n(account, kNumbers<Account>,
+                    std::copy_n(pilots, pilots_.size() * kNumbers<Pilot>, numbers_.begin()));
     }
     void read_pilots() noexcept {
-        std::copy(numbers_.begin(), numbers_.end(), reinterpret_cast<double*>(pilots_.data()));
-    }
-
-    Books all_books() const noexcept {
-        Books sum;
-        for (const Books& each : crawl_->books()) sum += each;
-        return sum;
+        const std::size_t pilots = pilots_.size() * kNumbers<Pilot>;
+        std::copy_n(numbers_.begin(), pilots, reinterpret_cast<double*>(pilots_.data()));
+        std::copy_n(numbers_.begin() + static_cast<std::ptrdiff_t>(pilots), kNumbers<Account>,
+                    reinterpret_cast<double*>(&account_));
     }
 
     void report_body(ModuleReport& report) const {
@@ -273,7 +273,7 @@ private:
             speed += journey.speed(centers_[body], now_) / lattice_.bodies;
             volume_error = std::max(volume_error, journey.volume_error);
         }
-        const Books books = all_books();
+        const Books& books = crawl_->books();
         report.measure("mean_speed_m_s", speed);
         report.measure("lengths_per_cycle", speed * crawler_.period / crawler_.build.length);
         report.measure("waves_per_length", crawler_.waves);
@@ -283,8 +283,8 @@ private:
     }
 
     void report_energy(ModuleReport& report) const {
-        const Books books = all_books();
-        const double change = system_->energy(position_, velocity_).total() - pilots_[0].start_energy;
+        const Books& books = crawl_->books();
+        const double change = system_->energy(position_, velocity_).total() - account_.start_energy;
         const double rest = books.muscles - books.friction - books.impact - books.damping - change;
         const double moved = std::abs(books.muscles) + std::abs(change);
         double way = 0;
@@ -322,6 +322,7 @@ private:
     std::span<Vec3> reaction_;                       // state, N
     std::span<double> substep_, numbers_;            // state
     std::vector<Pilot> pilots_;                      // as numbers_ has them
+    Account account_;                                // likewise
     std::vector<Vec3> centers_, center_velocities_;  // m, m/s, of mass
     std::vector<Drive> drives_;
     double rest_volume_ = 1;  // m^3

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -9,21 +10,18 @@
 namespace orbweaver::crawler {
 
 /// Muscles give springs the lengths that they have in a body of another shape: each segment is longer by its
-/// strain and bent about its middle, and rings grow and shrink by 1/sqrt(1 + strain), if
-/// volume is to stay (Miller 1988).
+/// strain and bent about its middle, and rings grow and shrink by 1/sqrt(1 + strain), if volume is to stay
+/// (Miller 1988).
 class Muscles {
 public:
-    explicit Muscles(const Build& build) : build_(build), half_(build.segments + 1) {}
+    explicit Muscles(const Build& build);
 
     /// m, in the order of a body's springs (see Lattice).
     void lengths(std::span<const Flex> flexes, std::span<double> rest) noexcept;
 
 private:
-    void set_ring(std::uint32_t ring, double* rest) const noexcept;
-    void set_segment(std::uint32_t segment, const Flex& flex, double* rest) const noexcept;
-
     Build build_;
-    std::vector<double> half_;  ///< m, half of an edge of each ring
+    std::vector<double> edges_;  ///< m, of each ring
 };
 
 }  // namespace orbweaver::crawler

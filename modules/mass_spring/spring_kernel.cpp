@@ -64,6 +64,30 @@ ORBWEAVER_INLINE void any_creep(const SpringTable& table, const double* x, doubl
     }
 }
 
+ORBWEAVER_INLINE double sum(const Lanes& of) noexcept { return (of[0] + of[1]) + (of[2] + of[3]); }
+
+ORBWEAVER_INLINE DriveWork any_drive(SpringTable& table, const double* rest, const double* x, const double* v,
+                                     double lag, std::size_t begin, std::size_t end) noexcept {
+    const std::size_t plane = table.packing.plane();
+    const bool damped = !table.damping.empty();
+    Lanes doubled_work{}, damping{};
+    for (std::size_t i = begin; i < end; ++i) {
+        SpringTable::Quad& quad = table.quads[i];
+        const Vec3Lanes l = load(x + quad.a, plane) - load(x + quad.b, plane);
+        const Vec3Lanes dl = load(v + quad.a, plane) - load(v + quad.b, plane);
+        const Vec3Lanes then = l - dl * in_all(lag);
+        const Lanes before = load(quad.rest_length.data()), after = load(rest + i * Packing::kLanes);
+        doubled_work += load(quad.stiffness.data()) * (after - before) *
+                        (after + before - 2 * sqrt(dot(then, then)));
+        if (damped) {
+            const Lanes rate = dot(l, dl);
+            damping += load(table.damping[i].data()) * rate * rate / (dot(l, l) + kNoLength);
+        }
+        store(quad.rest_length.data(), after);
+    }
+    return {0.5 * sum(doubled_work), sum(damping)};
+}
+
 /// Zero in the lanes whose bit is set.
 ORBWEAVER_INLINE void hold(std::uint32_t lanes, Vec3Lanes& v) noexcept {
     for (std::size_t j = 0; j < Packing::kLanes; ++j) {
@@ -139,6 +163,11 @@ void plain_creep(const SpringTable& table, const double* x, double h, std::size_
     any_creep(table, x, h, begin, end, creep);
 }
 
+DriveWork plain_drive(SpringTable& table, const double* rest, const double* x, const double* v, double lag,
+                      std::size_t begin, std::size_t end) noexcept {
+    return any_drive(table, rest, x, v, lag, begin, end);
+}
+
 ORBWEAVER_AVX2 void avx2_pulls(const SpringTable& table, const KernelInput& input, std::size_t begin,
                                std::size_t end, double* pull) noexcept {
     any_pulls(table, input, begin, end, pull);
@@ -159,15 +188,20 @@ ORBWEAVER_AVX2 void avx2_creep(const SpringTable& table, const double* x, double
     any_creep(table, x, h, begin, end, creep);
 }
 
+ORBWEAVER_AVX2 DriveWork avx2_drive(SpringTable& table, const double* rest, const double* x, const double* v,
+                                    double lag, std::size_t begin, std::size_t end) noexcept {
+    return any_drive(table, rest, x, v, lag, begin, end);
+}
+
 }  // namespace
 
 const SpringKernels& plain_kernels() noexcept {
-    static constexpr SpringKernels kernels{plain_pulls, plain_accelerations, plain_kicks, plain_creep};
+    static constexpr SpringKernels kernels{plain_pulls, plain_accelerations, plain_kicks, plain_creep, plain_drive};
     return kernels;
 }
 
 const SpringKernels* avx2_kernels() noexcept {
-    static constexpr SpringKernels kernels{avx2_pulls, avx2_accelerations, avx2_kicks, avx2_creep};
+    static constexpr SpringKernels kernels{avx2_pulls, avx2_accelerations, avx2_kicks, avx2_creep, avx2_drive};
     return has_avx2() ? &kernels : nullptr;
 }
 

@@ -25,6 +25,12 @@ struct KickAndDrift {
     double drift = 0;  ///< s
 };
 
+/// J done on springs by making their rest lengths others, and W that their damping takes.
+struct DriveWork {
+    double work = 0;
+    double damping = 0;
+};
+
 /// The two passes of a force evaluation, over a range of quads, then of blocks. Every set of kernels
 /// does the same operations in the same order on each element, so the bits are the same.
 struct SpringKernels {
@@ -44,6 +50,9 @@ struct SpringKernels {
     /// The dashpots of quads [begin, end) creep for h seconds at the lengths of x.
     void (*creep)(const SpringTable& table, const double* x, double h, std::size_t begin, std::size_t end,
                   double* creep) noexcept;
+    /// The rest lengths of quads [begin, end) become others, four a quad, at lengths of x - lag v.
+    DriveWork (*drive)(SpringTable& table, const double* rest, const double* x, const double* v, double lag,
+                       std::size_t begin, std::size_t end) noexcept;
 };
 
 /// For any machine.

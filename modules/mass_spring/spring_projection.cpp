@@ -80,12 +80,13 @@ void SpringSystem::project_springs(std::span<const double> start, std::span<doub
 }
 
 void SpringSystem::limit_strain(std::span<double> x, double strain) const noexcept {
-    for (const Spring& s : network_->springs) {
+    for (std::size_t i = 0; i < network_->springs.size(); ++i) {
+        const Spring& s = network_->springs[i];
         const Ends ends(*network_, s, packing());
         const Vec3 l = ends.extent(x);
         const double length = norm(l);
-        if (s.stiffness == 0 || s.rest_length == 0) continue;  // cut, or never strained
-        const double most = (1 + strain) * s.rest_length;
+        if (s.stiffness == 0 || rest_length(i) == 0) continue;  // cut, or never strained
+        const double most = (1 + strain) * rest_length(i);
         if (ends.weight() == 0 || length <= most || length == 0) continue;
         ends.push(x, ((most - length) / (length * ends.weight())) * l);
     }

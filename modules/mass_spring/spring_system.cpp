@@ -1,5 +1,7 @@
 #include "spring_system.hpp"
 
+#include <algorithm>
+
 #include "spectral_bound.hpp"
 
 namespace orbweaver::mass_spring {
@@ -16,7 +18,9 @@ SpringSystem::SpringSystem(const Network& network, Workers* workers)
       workers_(network.springs.size() >= kSpringsWorthSharing ? workers : nullptr),
       table_(network),
       kernels_(&best_kernels()),
-      pull_(3 * table_.slots) {}
+      pull_(3 * table_.slots),
+      next_rest_(network.driven ? table_.quads.size() * Packing::kLanes : 0),
+      drives_(network.driven ? table_.quads.size() / kGrain + 1 : 0) {}
 
 void SpringSystem::network_changed() {
     std::vector<Vec3> external(external_.empty() ? 0 : size());
@@ -24,6 +28,8 @@ void SpringSystem::network_changed() {
     table_ = SpringTable(*network_);
     if (!external.empty()) packing().pack(external, external_);
     pull_.assign(3 * table_.slots, 0.0);
+    next_rest_.assign(network_->driven ? table_.quads.size() * Packing::kLanes : 0, 0.0);
+    drives_.resize(network_->driven ? table_.quads.size() / kGrain + 1 : 0);
     creep_.clear();
     implicit_ = nullptr;
     spectral_radius_ = -1;
@@ -34,7 +40,7 @@ void SpringSystem::put_on_arms(std::span<const Vec3> x) {
     creep_.assign(table_.quads.size() * Packing::kLanes, 0.0);
     for (std::size_t i = 0; i < network_->springs.size(); ++i) {
         const Spring& s = network_->springs[i];
-        creep_[table_.place[i]] = distance(x[s.a], x[s.b]) - s.rest_length;
+        creep_[table_.place[i]] = distance(x[s.a], x[s.b]) - rest_length(i);
     }
 }
 
@@ -62,9 +68,32 @@ void SpringSystem::creep(std::span<const double> x, double h) noexcept {
     kernels_->creep(table_, x.data(), h, 0, table_.quads.size(), creep_.data());
 }
 
+DriveWork SpringSystem::drive(std::span<const double> x, std::span<const double> v, double lag) noexcept {
+    auto range = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            drives_[i] = kernels_->drive(table_, next_rest_.data(), x.data(), v.data(), lag, i * kGrain,
+                                         std::min((i + 1) * kGrain, table_.quads.size()));
+    };
+    if (workers_ == nullptr)
+        range(0, drives_.size());
+    else
+        workers_->for_each_range(drives_.size(), 1, range);
+    DriveWork all;
+    for (const DriveWork& each : drives_) {
+        all.work += each.work;
+        all.damping += each.damping;
+    }
+    return all;
+}
+
+void SpringSystem::set_rest_lengths() noexcept {
+    for (std::size_t i = 0; i < next_rest_.size(); ++i)
+        table_.quads[i / Packing::kLanes].rest_length[i % Packing::kLanes] = next_rest_[i];
+}
+
 Tension SpringSystem::tension(std::size_t spring, double length) const noexcept {
     const Spring& s = network_->springs[spring];
-    const double extension = length - s.rest_length;
+    const double extension = length - rest_length(spring);
     Tension tension = tension_at(s, extension);
     if (creep_.empty()) return tension;
     tension.force += s.law.arm * (extension - creep_[table_.place[spring]]);
@@ -87,7 +116,7 @@ std::size_t SpringSystem::length() const noexcept { return table_.packing.length
 
 std::size_t SpringSystem::memory_bytes() const noexcept {
     return table_.memory_bytes() + (implicit_ != nullptr ? implicit_->memory_bytes() : 0) +
-           (external_.capacity() + pull_.capacity() + creep_.capacity()) * sizeof(double);
+           (external_.capacity() + pull_.capacity() + creep_.capacity() + next_rest_.capacity()) * sizeof(double);
 }
 
 KernelInput SpringSystem::kernel_input(const double* x, const double* v) const noexcept {
@@ -197,7 +226,7 @@ Energy SpringSystem::energy(std::span<const Vec3> x, std::span<const Vec3> v) co
     }
     for (std::size_t i = 0; i < network_->springs.size(); ++i) {
         const Spring& s = network_->springs[i];
-        const double extension = distance(x[s.a], x[s.b]) - s.rest_length;
+        const double extension = distance(x[s.a], x[s.b]) - rest_length(i);
         energy.elastic += elastic_energy(s, extension);
         if (creep_.empty()) continue;
         const double of_arm = extension - creep_[table_.place[i]];

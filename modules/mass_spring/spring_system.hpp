@@ -99,8 +99,20 @@ public:
     /// told instead of this.
     void network_changed();
 
-    /// Springs of a driven network have other rest lengths, and nothing else has changed.
-    void rest_lengths_changed() noexcept { table_.set_rest_lengths(network_->springs); }
+    /// m, of a driven network: where its springs' next rest lengths are written, that of spring i at
+    /// rest_place(i), the places of one thread side by side.
+    std::span<double> next_rest_lengths() noexcept { return next_rest_; }
+    std::size_t rest_place(std::size_t spring) const noexcept { return table_.place[spring]; }
+    /// They become those that springs have, at packed x and v; `lag` s, by which v are older than x. Work is
+    /// told at positions as old as the velocities: it is there that a method with a lag keeps energy.
+    DriveWork drive(std::span<const double> x, std::span<const double> v, double lag) noexcept;
+    /// The same, and no work is told.
+    void set_rest_lengths() noexcept;
+    double rest_length(std::size_t spring) const noexcept {
+        if (!network_->driven) return network_->springs[spring].rest_length;
+        const std::size_t at = table_.place[spring];
+        return table_.quads[at / Packing::kLanes].rest_length[at % Packing::kLanes];
+    }
     /// What acts between steps, and outlives the system; null: nothing.
     void set_hooks(StepHooks* hooks) noexcept { hooks_ = hooks; }
     StepHooks* hooks() const noexcept { return hooks_; }
@@ -168,6 +180,8 @@ private:
     double drag_ = 0;
     std::vector<double> external_;  ///< packed; empty: none
     std::vector<double> pull_;      ///< N, three planes of a slot per spring, scratch
+    std::vector<double> next_rest_;   ///< m, as table_.place says; empty: not driven
+    std::vector<DriveWork> drives_;   ///< of ranges of quads, scratch
     std::vector<double> creep_;     ///< m, as table_.place says; empty: arms bear nothing
     LinearSolverKind linear_solver_ = LinearSolverKind::automatic;
     std::unique_ptr<ImplicitTangent> implicit_;  ///< null until an implicit method asks

@@ -69,7 +69,7 @@ Packing choose_packing(const Network& network) {
     constexpr double kSpringsAQuad = 2, kWorthIt = 0.75;
     Packing own(network.size());
     const auto quads = static_cast<double>(count_quads(network, own));
-    if (kSpringsAQuad * quads <= static_cast<double>(network.springs.size())) return own;
+    if (network.driven || kSpringsAQuad * quads <= static_cast<double>(network.springs.size())) return own;
     Packing along_threads(number_along_threads(network));
     const bool worth_it = static_cast<double>(count_quads(network, along_threads)) < kWorthIt * quads;
     return worth_it ? along_threads : own;
@@ -162,11 +162,6 @@ SpringTable::SpringTable(const Network& network)
     for (std::size_t i = 0; i < inverse_mass.size(); ++i) {
         if (inverse_mass[i] == 0) blocks[i / kLanes].held |= 1U << (i % kLanes);
     }
-}
-
-void SpringTable::set_rest_lengths(const std::vector<Spring>& springs) noexcept {
-    for (std::size_t i = 0; i < springs.size(); ++i)
-        quads[place[i] / kLanes].rest_length[place[i] % kLanes] = springs[i].rest_length;
 }
 
 std::size_t SpringTable::memory_bytes() const noexcept {

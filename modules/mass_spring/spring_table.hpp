@@ -60,8 +60,6 @@ struct SpringTable {
     std::vector<double> inverse_mass;     ///< 1/kg, per place; 0 for fixed ones and padding
     std::size_t slots = 0;                ///< vectors of pull, those between runs always zero
 
-    /// Of a driven network.
-    void set_rest_lengths(const std::vector<Spring>& springs) noexcept;
     std::size_t memory_bytes() const noexcept;
 };
 
