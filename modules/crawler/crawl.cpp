@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mass_spring/lanes.hpp"
+#include "contact.hpp"
 
 namespace orbweaver::crawler {
-
-using mass_spring::load, mass_spring::store, mass_spring::Vec3Lanes;
 
 namespace {
 
 /// Widths of the body around the ground's surface within which a point that it presses is on it: were every
 /// point put exactly there, springs would be strained anew in every step.
 constexpr double kNear = 1e-4;
+constexpr double kJerksACycle = 1000;  ///< of muscles, where steps are not longer
 
 Effort between(const Effort& a, const Effort& b, double share) noexcept {
     const auto mix = [share](double from, double to) { return from + share * (to - from); };
@@ -25,97 +24,6 @@ Vec3 spine_at(std::span<const Vec3> middles, std::size_t ring) noexcept {
     const std::size_t before = ring > 0 ? ring - 1 : 0;
     const std::size_t after = std::min(ring + 1, middles.size() - 1);
     return middles[after] - middles[before];
-}
-
-/// Whether muscles hump a ring: then it holds on to nothing.
-bool is_lifted(std::span<const Flex> flexes, std::size_t ring) noexcept {
-    return flexes[ring > 0 ? ring - 1 : 0].up + flexes[std::min(ring, flexes.size() - 1)].up < 0;
-}
-
-ORBWEAVER_INLINE double sum(const Lanes& of) noexcept { return (of[0] + of[1]) + (of[2] + of[3]); }
-ORBWEAVER_INLINE Vec3Lanes in_all(const Vec3& v) noexcept {
-    return {orbweaver::in_all(v.x), orbweaver::in_all(v.y), orbweaver::in_all(v.z)};
-}
-ORBWEAVER_INLINE Vec3Lanes either(const LaneBits& first, const Vec3Lanes& a, const Vec3Lanes& b) noexcept {
-    return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
-}
-ORBWEAVER_INLINE Vec3Lanes crossed(const Vec3Lanes& a, const Vec3Lanes& b) noexcept {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-/// The four points of a ring with regard to the ground.
-struct RingTouch {
-    Lanes depth;       ///< m
-    Vec3Lanes normal;  ///< unit
-    Lanes grip;
-};
-
-template <class AnyGround>
-ORBWEAVER_INLINE RingTouch touch_ring(const AnyGround& ground, const Vec3Lanes& x, std::size_t first) noexcept {
-    RingTouch ring;
-    for (std::size_t j = 0; j < kCorners; ++j) {
-        const Touch touch = ground.touch({x.x[j], x.y[j], x.z[j]}, first + j);
-        ring.depth[j] = touch.depth;
-        ring.normal.x[j] = touch.normal.x, ring.normal.y[j] = touch.normal.y, ring.normal.z[j] = touch.normal.z;
-        ring.grip[j] = touch.grip;
-    }
-    return ring;
-}
-
-/// In the plane across a normal, of length 1. Where it has nothing there, nothing tells forward from sideways.
-ORBWEAVER_INLINE Vec3Lanes laid_across(const Vec3& spine, const Vec3Lanes& normal) noexcept {
-    const auto without = [&](const Vec3Lanes& v)
-                             ORBWEAVER_ALWAYS_INLINE { return v - normal * dot(v, normal); };
-    const Vec3Lanes along = without(in_all(spine));
-    const Lanes square = dot(along, along);
-    const LaneBits is_steep = absolute(normal.x) < orbweaver::in_all(0.5);
-    const Vec3Lanes any = without(either(is_steep, in_all(Vec3{1, 0, 0}), in_all(Vec3{0, 0, 1})));
-    const Vec3Lanes chosen = either(square > Lanes{}, along, any);
-    return chosen * (1 / mass_spring::sqrt(dot(chosen, chosen)));
-}
-
-/// A ring after a step of h seconds.
-struct Ring {
-    Vec3Lanes x, v;        ///< m, m/s
-    Vec3Lanes start;       ///< m, before the step
-    Vec3Lanes pressed;     ///< m/s, what the ground's reaction gave it during the step
-    Lanes mass;            ///< kg
-    double holds = 0;      ///< m/s, what it takes to tear it off
-    double allowance = 0;  ///< m, deep in the ground within which it may stay
-};
-
-struct RingBooks {
-    Lanes friction{}, impact{}, slip{}, contacts{};
-};
-
-/// Those of its points that `are_on` the ground are met by it.
-ORBWEAVER_INLINE void meet_ground(const RingTouch& touch, const LaneBits& are_on, const Friction& friction,
-                                  const Vec3& spine_vector, double h, Ring& ring, RingBooks& books) noexcept {
-    const Vec3Lanes n = touch.normal, moved = ring.x - ring.start;
-    const Vec3Lanes spine = laid_across(spine_vector, n), side = crossed(n, spine);
-    const Lanes into = dot(ring.v, n), pressed = dot(ring.pressed, n), on_way = dot(moved, n);
-    const Vec3Lanes along = ring.v - n * into, held = ring.pressed - n * pressed;
-    const Lanes pressing = larger_of(orbweaver::in_all(-ring.holds), pressed - into);
-    const Lanes left = into + pressing - pressed;
-    const Vec3Lanes free = along - held;  // without friction
-    const Sliding slid = slide(friction, touch.grip * (pressing + ring.holds),
-                               {are_on ? dot(free, spine) : Lanes{}, are_on ? dot(free, side) : Lanes{}});
-    const Vec3Lanes slides = spine * slid.along + side * slid.across;
-    const Lanes lifted = larger_of(touch.depth - ring.allowance, Lanes{});
-    // The reaction did work on the way; the impulse turned the rest. What lifts the point works against what
-    // presses it down.
-    const Lanes by_friction =
-        ring.mass * (dot(held, moved) / h + 0.5 * (dot(slides, slides) - dot(along, along)));
-    const Lanes by_impact =
-        ring.mass * (pressed * on_way / h + 0.5 * (left * left - into * into) + pressing * lifted / h);
-    const Vec3Lanes slip = moved - n * on_way;
-    books.friction -= are_on ? by_friction : Lanes{};
-    books.impact -= are_on ? by_impact : Lanes{};
-    books.slip += are_on ? mass_spring::sqrt(dot(slip, slip)) : Lanes{};
-    books.contacts += are_on ? orbweaver::in_all(1) : Lanes{};
-    ring.x = either(are_on, ring.x + n * lifted, ring.x);
-    ring.v = either(are_on, slides + n * left, ring.v);
-    ring.pressed = either(are_on, n * pressing + slides - free, ring.pressed);
 }
 
 }  // namespace
@@ -167,12 +75,16 @@ void Crawl::begin_frame(std::span<const Drive> drives, std::span<const Vec3> x, 
                         double seconds) {
     std::copy(drives.begin(), drives.end(), drives_.begin());
     seconds_ = seconds;
+    double cycles = 0;
+    for (const Drive& each : drives) cycles = std::max(cycles, std::abs(each.cycles[1] - each.cycles[0]));
+    jerks_ = std::max(1.0, std::ceil(kJerksACycle * cycles));
     std::copy(reaction_.begin(), reaction_.end(), start_reaction_.begin());
     if (auto* surface = std::get_if<SurfaceGround>(&ground_)) surface->look(x, v, seconds);
 }
 
 void Crawl::rewind() noexcept {
     elapsed_ = 0;
+    driven_until_ = 0;
     frame_ = {};
     for (Body& body : bodies_) body.frame = {};
     system_->packing().pack(start_reaction_, system_->hook_forces());
@@ -191,14 +103,17 @@ void Crawl::find_lengths(std::uint32_t number, double share) noexcept {
     for (std::size_t i = 0; i < body.rest.size(); ++i) next[system_->rest_place(first + i)] = body.rest[i];
 }
 
-// Springs get the lengths of the step's end.
+// Muscles move in small jerks, each to the lengths of its end.
 void Crawl::before_step(std::span<const double> x, std::span<const double> v, double h) noexcept {
     start_x_.assign(x.begin(), x.end());
-    const double share = std::min(1.0, (elapsed_ + h) / seconds_);
-    for_each_body([&](std::uint32_t body) { find_lengths(body, share); });
+    const double rounding = 1e-6 * h;
+    if (elapsed_ + rounding < driven_until_) return;
+    const double from = driven_until_;
+    driven_until_ = std::min(seconds_, std::max(from + seconds_ / jerks_, elapsed_ + h));
+    for_each_body([&](std::uint32_t body) { find_lengths(body, driven_until_ / seconds_); });
     const mass_spring::DriveWork done = system_->drive(x, v, lag_ * h);
     frame_.muscles += done.work;
-    frame_.damping += h * done.damping;
+    frame_.damping += (driven_until_ - from) * done.damping;
 }
 
 void Crawl::after_step(std::span<double> x, std::span<double> v, double h) noexcept {
@@ -208,49 +123,66 @@ void Crawl::after_step(std::span<double> x, std::span<double> v, double h) noexc
         ground_);
 }
 
+/// m/s^2, that it takes to tear a ring off: nothing where muscles hump it.
+double Crawl::holds(std::size_t ring, const Body& body) const noexcept {
+    if (!(friction_.adhesion > 0)) return 0;
+    const double bent =
+        body.flexes[ring > 0 ? ring - 1 : 0].up + body.flexes[std::min(ring, body.flexes.size() - 1)].up;
+    return bent < 0 ? 0 : friction_.adhesion;
+}
+
 template <class AnyGround>
 void Crawl::meet(const AnyGround& ground, std::uint32_t number, std::span<double> x, std::span<double> v,
                  double h) noexcept {
     Body& body = bodies_[number];
     const std::size_t plane = system_->packing().plane(), first = lattice_.point(number, 0);
     for (std::uint32_t ring = 0; ring < lattice_.rings(); ++ring) {
-        const Vec3Lanes at = load(x.data() + first + std::size_t{kCorners} * ring, plane);
+        const Vec3Lanes at = mass_spring::load(x.data() + first + std::size_t{kCorners} * ring, plane);
         body.middles[ring] = 0.25 * Vec3{sum(at.x), sum(at.y), sum(at.z)};
     }
-    const double near = kNear * build_.width;
+    const double near = kNear * build_.width, mass = build_.point_mass();
     double* const reactions = system_->hook_forces().data();
-    const double* const mass = system_->network().mass.data();
-    RingBooks books;
+    LandingBooks books;
     run_wide([&]() ORBWEAVER_ALWAYS_INLINE {
-        for (std::size_t ring = 0; ring < body.middles.size(); ++ring) {
-            const std::size_t i = first + kCorners * ring;
-            const Vec3Lanes place = load(x.data() + i, plane);
-            const RingTouch touch = touch_ring(ground, place, i);
-            const LaneBits is_near = touch.depth > orbweaver::in_all(-near);
+        const auto meet_two = [&](std::size_t one, std::size_t other,
+                                  std::size_t corner) ORBWEAVER_ALWAYS_INLINE {
+            const Four four{plane, first + kCorners * one + corner, first + kCorners * other + corner};
+            const Vec3Lanes place = four.get_vectors(x.data());
+            const Touches touch = touch_all(ground, place, four);
+            const LaneBits is_near = touch.depth > in_all(-near);
             if (!is_any(is_near)) {
-                store(reactions + i, plane, Vec3Lanes{});
-                continue;
+                four.put_vectors(Vec3Lanes{}, reactions);
+                return;
             }
-            const bool holds = friction_.adhesion > 0 && !is_lifted(body.flexes, ring);
-            const Vec3Lanes reaction = load(reactions + i, plane);
-            const LaneBits was_on = dot(reaction, reaction) > orbweaver::in_all(holds ? -1 : 0);
-            const LaneBits are_on = is_near & (was_on | (touch.depth > Lanes{}));
-            const Lanes masses = load(mass + i);
-            Ring points{place,
-                        load(v.data() + i, plane),
-                        load(start_x_.data() + i, plane),
-                        either(is_near, reaction, Vec3Lanes{}) * (h / masses),
-                        masses,
-                        holds ? h * friction_.adhesion : 0,
-                        near};
-            meet_ground(touch, are_on, friction_, spine_at(body.middles, ring), h, points, books);
-            store(x.data() + i, plane, points.x);
-            store(v.data() + i, plane, points.v);
-            store(reactions + i, plane, points.pressed * (masses / h));
-        }
+            const double hold_one = holds(one, body), hold_other = holds(other, body);
+            const Lanes hold{hold_one, hold_one, hold_other, hold_other};
+            const Vec3Lanes reaction = four.get_vectors(reactions);
+            const LaneBits was_on = (dot(reaction, reaction) > Lanes{}) | (hold > Lanes{});
+            LaneBits are_on = is_near & (was_on | (touch.depth > Lanes{}));
+            const Vec3 spine = spine_at(body.middles, one), next = spine_at(body.middles, other);
+            Landing points{place,
+                           four.get_vectors(v.data()),
+                           four.get_vectors(start_x_.data()),
+                           either(is_near, reaction, Vec3Lanes{}) * in_all(h / mass),
+                           Vec3Lanes{{spine.x, spine.x, next.x, next.x},
+                                     {spine.y, spine.y, next.y, next.y},
+                                     {spine.z, spine.z, next.z, next.z}},
+                           h * hold,
+                           near};
+            LandingBooks here;
+            meet_ground(touch, are_on, friction_, h, points, here);
+            books.add(here, one != other);
+            four.put_vectors(points.x, x.data());
+            four.put_vectors(points.v, v.data());
+            four.put_vectors(points.pressed * in_all(mass / h), reactions);
+        };
+        const std::size_t rings = body.middles.size();
+        for (std::size_t corner = 0; corner < kCorners; corner += 2)
+            for (std::size_t ring = 0; ring < rings; ring += 2)
+                meet_two(ring, std::min(ring + 1, rings - 1), corner);
     });
-    body.frame.friction += sum(books.friction);
-    body.frame.impact += sum(books.impact);
+    body.frame.friction += mass * sum(books.friction);
+    body.frame.impact += mass * sum(books.impact);
     body.frame.slip += sum(books.slip);
     body.frame.contact += h * sum(books.contacts);
 }

@@ -74,6 +74,7 @@ private:
     template <class F>
     void for_each_body(const F& f) noexcept;
     void find_lengths(std::uint32_t body, double share) noexcept;
+    double holds(std::size_t ring, const Body& body) const noexcept;
     template <class AnyGround>
     void meet(const AnyGround& ground, std::uint32_t number, std::span<double> x, std::span<double> v,
               double h) noexcept;
@@ -90,8 +91,10 @@ private:
     std::vector<Vec3> start_reaction_;  // N, of the frame
     std::vector<double> start_x_;       // m, packed, of the step
     std::vector<Drive> drives_;
-    double seconds_ = 1;  // of the frame
-    double elapsed_ = 0;  // s, of it
+    double seconds_ = 1;       // of the frame
+    double elapsed_ = 0;       // s, of it
+    double jerks_ = 1;         // of muscles in it
+    double driven_until_ = 0;  // s, of the frame, for which lengths are set
     Books frame_, kept_;
     std::vector<Body> bodies_;
 };

@@ -149,8 +149,16 @@ private:
             host.log(LogLevel::warning, sentence);
         };
         crawler_.settings.stop_asked = [&host] { return host.stop_asked(); };
+        if (crawler_.settings.step == 0) choose_step();
         simulation_ = std::make_unique<mass_spring::Simulation>(*system_, crawler_.settings, frame_step_,
                                                                 position_, velocity_, substep_);
+    }
+
+    /// Well within what the springs alone allow: near that limit, points that touch the ground shake on it.
+    void choose_step() {
+        constexpr double kShare = 2.0 / 3;
+        const double stable = advise(*system_, position_, *crawler_.settings.method).stable_step;
+        if (stable > 0 && std::isfinite(stable)) crawler_.settings.step = kShare * stable;
     }
 
     void offer_telemetry(Host& host) {

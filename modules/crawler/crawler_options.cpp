@@ -18,12 +18,12 @@ Build read_build(const Options& options) {
     build.segments = static_cast<std::uint32_t>(options.integer("segments"));
     build.length = options.number("length");
     build.width = options.number("width");
-    const double mass = options.number("density") * build.length * build.width * build.width;
-    build.mass = mass * options.number("mass_scale");
+    build.mass = options.number("density") * build.length * build.width * build.width;
     // As it would be without the scales, which each change one thing alone.
-    const double point = mass / (kCorners * build.segments), unit = options.number("time_unit");
+    const double point = build.point_mass(), unit = options.number("time_unit");
     build.stiffness = options.number("strength") * point / (unit * unit) * options.number("stiffness_scale");
     build.damping = options.number("damping") * point / unit * options.number("damping_scale");
+    build.mass *= options.number("mass_scale");
     build.keeps_volume = options.flag("constant_volume");
     return build;
 }

@@ -34,7 +34,7 @@ ORBWEAVER_INLINE bool is_any(const LaneBits& mask) noexcept {
 ORBWEAVER_INLINE Lanes end_speed(const Sliding& v, const Lanes& a, const Lanes& b,
                                  const LaneBits& rests) noexcept {
     constexpr int kMost = 60;
-    constexpr double kEnough = 1e-8;  // of r: the step after it would change r by the square of that
+    constexpr double kEnough = 1e-5;  // of r: the step after it would change r by the square of that
     constexpr double kLeast = 1e-12;  // of the speed, which r is never below
     const Lanes va = v.along * v.along, vb = v.across * v.across;
     const Lanes square = va + vb + 1e-300, speed = mass_spring::sqrt(square);

@@ -52,14 +52,8 @@ mass_spring::Network make_network(const Lattice& lattice, const Build& build) {
     network.fixed.assign(lattice.points(), 0);
     Builder builder(build);
     builder.springs.reserve(lattice.bodies * lattice.springs_a_body());
-    const double share = build.mass / (kCorners * build.segments);
-    for (std::uint32_t body = 0; body < lattice.bodies; ++body) {
-        for (std::uint32_t ring = 0; ring < lattice.rings(); ++ring) {
-            const bool at_end = ring == 0 || ring == lattice.segments;
-            network.mass.insert(network.mass.end(), kCorners, at_end ? share / 2 : share);
-        }
-        builder.add_body(lattice, body);
-    }
+    network.mass.assign(lattice.points(), build.point_mass());
+    for (std::uint32_t body = 0; body < lattice.bodies; ++body) builder.add_body(lattice, body);
     network.springs = std::move(builder.springs);
     return network;
 }

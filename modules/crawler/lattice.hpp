@@ -20,7 +20,8 @@ struct Build {
     double damping = 0;           ///< N s/m, of every spring
     bool keeps_volume = true;     ///< rings grow where the body shortens
 
-    double segment() const noexcept { return length / segments; }  ///< m
+    double segment() const noexcept { return length / segments; }                 ///< m
+    double point_mass() const noexcept { return mass / (4.0 * (segments + 1)); }  ///< kg, of each mass
 };
 
 /// Corners of a ring: right below is 1, and on they go against the clock for who looks along the body from the
@@ -65,8 +66,8 @@ struct Pose {
     Vec3 right() const noexcept { return cross(forward, up); }
 };
 
-/// As many bodies as there are poses, of their middles, driven springs at their lengths at rest. Rings at the
-/// ends have half the mass of others.
+/// As many bodies as there are poses, of their middles, driven springs at their lengths at rest. All masses
+/// are alike.
 mass_spring::Network make_network(const Lattice& lattice, const Build& build);
 /// m, appended to `points`: the four of a ring.
 void add_ring_points(const Pose& ring, double width, std::vector<Vec3>& points);

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <cstddef>
+
+#include "friction.hpp"
+#include "mass_spring/lanes.hpp"
+#include "touch.hpp"
+
+/// The ground meets points, four at once: the same two neighboring corners of two rings, which as a rule are on
+/// the ground together, or are not.
+namespace orbweaver::crawler {
+
+using mass_spring::Vec3Lanes;
+
+/// Where four points are in the planes of a vector (see Packing): at a and after it, at b and after it.
+struct Four {
+    std::size_t plane, a, b;
+
+    ORBWEAVER_INLINE Lanes get(const double* from) const noexcept {
+        return Lanes{from[a], from[a + 1], from[b], from[b + 1]};
+    }
+    ORBWEAVER_INLINE Vec3Lanes get_vectors(const double* from) const noexcept {
+        return {get(from), get(from + plane), get(from + 2 * plane)};
+    }
+    ORBWEAVER_INLINE void put(const Lanes& what, double* to) const noexcept {
+        to[a] = what[0], to[a + 1] = what[1], to[b] = what[2], to[b + 1] = what[3];
+    }
+    ORBWEAVER_INLINE void put_vectors(const Vec3Lanes& what, double* to) const noexcept {
+        put(what.x, to), put(what.y, to + plane), put(what.z, to + 2 * plane);
+    }
+    std::size_t point(std::size_t lane) const noexcept { return (lane < 2 ? a : b) + lane % 2; }
+};
+
+ORBWEAVER_INLINE double sum(const Lanes& of) noexcept { return (of[0] + of[1]) + (of[2] + of[3]); }
+ORBWEAVER_INLINE Vec3Lanes either(const LaneBits& first, const Vec3Lanes& a, const Vec3Lanes& b) noexcept {
+    return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
+}
+ORBWEAVER_INLINE Vec3Lanes crossed(const Vec3Lanes& a, const Vec3Lanes& b) noexcept {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Four points with regard to the ground.
+struct Touches {
+    Lanes depth;       ///< m
+    Vec3Lanes normal;  ///< unit
+    Lanes grip;
+};
+
+template <class AnyGround>
+ORBWEAVER_INLINE Touches touch_all(const AnyGround& ground, const Vec3Lanes& x, const Four& four) noexcept {
+    Touches all;
+    for (std::size_t j = 0; j < 4; ++j) {
+        const Touch touch = ground.touch({x.x[j], x.y[j], x.z[j]}, four.point(j));
+        all.depth[j] = touch.depth;
+        all.normal.x[j] = touch.normal.x, all.normal.y[j] = touch.normal.y, all.normal.z[j] = touch.normal.z;
+        all.grip[j] = touch.grip;
+    }
+    return all;
+}
+
+/// In the plane across a normal, of length 1. Where it has nothing there, nothing tells forward from sideways.
+ORBWEAVER_INLINE Vec3Lanes laid_across(const Vec3Lanes& spine, const Vec3Lanes& normal) noexcept {
+    const Vec3Lanes along = spine - normal * dot(spine, normal);
+    const Lanes square = dot(along, along);
+    const LaneBits has_one = square > Lanes{};
+    if (!is_any(~has_one)) return along * (1 / mass_spring::sqrt(square));
+    const LaneBits is_steep = absolute(normal.x) < in_all(0.5);
+    const Vec3Lanes axis{is_steep ? in_all(1) : Lanes{}, Lanes{}, is_steep ? Lanes{} : in_all(1)};
+    const Vec3Lanes chosen = either(has_one, along, axis - normal * dot(axis, normal));
+    return chosen * (1 / mass_spring::sqrt(dot(chosen, chosen)));
+}
+
+/// Four points after a step of h seconds.
+struct Landing {
+    Vec3Lanes x, v;        ///< m, m/s
+    Vec3Lanes start;       ///< m, before the step
+    Vec3Lanes pressed;     ///< m/s, what the ground's reaction gave them during the step
+    Vec3Lanes spine;       ///< along their body, of any length
+    Lanes holds;           ///< m/s, what it takes to tear them off
+    double allowance = 0;  ///< m, deep in the ground within which they may stay
+};
+
+/// Per kg, and what goes with it; of each lane.
+struct LandingBooks {
+    Lanes friction{}, impact{}, slip{}, contacts{};
+
+    /// The last two lanes only where they are not the first two again.
+    ORBWEAVER_INLINE void add(const LandingBooks& more, bool all) noexcept {
+        const Lanes counts = all ? in_all(1) : Lanes{1, 1, 0, 0};
+        friction += counts * more.friction;
+        impact += counts * more.impact;
+        slip += counts * more.slip;
+        contacts += counts * more.contacts;
+    }
+};
+
+/// Those that `are_on` the ground are met by it.
+ORBWEAVER_INLINE void meet_ground(const Touches& touch, const LaneBits& are_on, const Friction& friction,
+                                  double h, Landing& points, LandingBooks& books) noexcept {
+    const Vec3Lanes n = touch.normal, moved = points.x - points.start;
+    const Vec3Lanes spine = laid_across(points.spine, n), side = crossed(n, spine);
+    const Lanes into = dot(points.v, n), pressed = dot(points.pressed, n), on_way = dot(moved, n);
+    const Vec3Lanes along = points.v - n * into, held = points.pressed - n * pressed;
+    const Lanes pressing = larger_of(-points.holds, pressed - into);
+    const Lanes left = into + pressing - pressed;
+    const Vec3Lanes free = along - held;  // without friction
+    const Sliding slid = slide(friction, touch.grip * (pressing + points.holds),
+                               {are_on ? dot(free, spine) : Lanes{}, are_on ? dot(free, side) : Lanes{}});
+    const Vec3Lanes slides = spine * slid.along + side * slid.across;
+    const Lanes lifted = larger_of(touch.depth - points.allowance, Lanes{});
+    // The reaction did work on the way; the impulse turned the rest. What lifts a point works against what
+    // presses it down.
+    const Lanes by_friction = dot(held, moved) / h + 0.5 * (dot(slides, slides) - dot(along, along));
+    const Lanes by_impact = pressed * on_way / h + 0.5 * (left * left - into * into) + pressing * lifted / h;
+    const Vec3Lanes slip = moved - n * on_way;
+    books.friction -= are_on ? by_friction : Lanes{};
+    books.impact -= are_on ? by_impact : Lanes{};
+    books.slip += are_on ? mass_spring::sqrt(dot(slip, slip)) : Lanes{};
+    books.contacts += are_on ? in_all(1) : Lanes{};
+    points.x = either(are_on, points.x + n * lifted, points.x);
+    points.v = either(are_on, slides + n * left, points.v);
+    points.pressed = either(are_on, n * pressing + slides - free, points.pressed);
+}
+
+}  // namespace orbweaver::crawler
