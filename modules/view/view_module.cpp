@@ -9,9 +9,9 @@
 #include "orbweaver/contracts/input.hpp"
 #include "orbweaver/contracts/picture_source.hpp"
 #include "orbweaver/entry.hpp"
-#include "shade_pass.hpp"
 #include "sketch_pass.hpp"
 #include "skin_pass.hpp"
+#include "skin_shade.hpp"
 #include "sky_pass.hpp"
 #include "sky_source.hpp"
 #include "surface_pass.hpp"
@@ -43,7 +43,7 @@ ThreadLook asked_look(const Options& options) {
 /// Bodies of one kind.
 struct SkinView {
     SkinMoves moves;
-    ShadePass shade;
+    SkinShade shade;
     SkinPass pass;
     SkinView(const Gl& gl, Skins& skins, const SkyLight& light, const KeyLight& key)
         : moves(gl, skins), shade(gl, skins.mesh(), key), pass(gl, skins.mesh(), light, key) {}
