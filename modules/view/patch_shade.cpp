@@ -7,8 +7,9 @@
 namespace orbweaver::view {
 namespace {
 
-constexpr std::size_t kMostRods = 24;  // of a body: each is a box drawn
-constexpr double kThrown = 0.6;        // of a body's length: it lies rather than stands
+constexpr double kMostRods = 24;  // of a body: each is a box drawn
+constexpr double kRodLength = 3;  // radii, where that many are enough: shorter ones would look no rounder
+constexpr double kThrown = 8;     // radii, how far shadows go: bodies lie rather than stand
 
 constexpr const char* kRods = R"(
 uniform samplerBuffer rods;
@@ -56,26 +57,26 @@ TubeRod rod_between(std::span<const Round> knots) {
     return rod;
 }
 
-std::size_t rods_a_body(const PatchLayout& layout) { return std::min(layout.rings - 3, kMostRods); }
-
-double longest_body(const std::vector<TubeRod>& rods, std::size_t a_body) {
-    double longest = 0, length = 0;
-    for (std::size_t i = 0; i < rods.size(); ++i) {
-        if (i % a_body == 0) length = 0;
-        length += distance(rods[i].from, rods[i].to);
-        longest = std::max(longest, length);
+/// How many rods are enough for a body.
+std::size_t rod_count(std::span<const Round> knots) {
+    const auto spans = static_cast<double>(knots.size() - 1);
+    double length = 0, radius = 0;
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+        length += distance(knots[i].middle, knots[i + 1].middle);
+        radius += (knots[i].radius + knots[i + 1].radius) / 2 / spans;
     }
-    return longest;
+    const double most = std::min(kMostRods, spans);
+    return static_cast<std::size_t>(radius > 0 ? std::clamp(length / (kRodLength * radius), 1.0, most) : 1.0);
 }
 
 }  // namespace
 
 std::vector<TubeRod> tube_rods(const PatchLayout& layout, std::span<const Vec3> points) {
     std::vector<TubeRod> rods;
-    const std::size_t body = layout.rings * layout.sides, count = rods_a_body(layout);
+    const std::size_t body = layout.rings * layout.sides;
     for (std::size_t b = 0; b < layout.bodies; ++b) {
         const auto along = knots(layout, points.subspan(b * body, body));
-        const std::size_t last = along.size() - 1;
+        const std::size_t last = along.size() - 1, count = rod_count(along);
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t from = i * last / count, to = (i + 1) * last / count;
             rods.push_back(rod_between(std::span(along).subspan(from, to - from + 1)));
@@ -109,11 +110,11 @@ void PatchShade::draw(const PatchPoints& points, GLuint depths, const Camera& ca
     const PatchLayout& layout = points.layout();
     if (layout.bodies == 0) return;
     const auto rods = tube_rods(layout, points.latest());
-    const std::size_t a_body = rods_a_body(layout);
+    double thickest = 0;
+    for (const TubeRod& rod : rods) thickest = std::max(thickest, rod.radius);
     upload(rods, points.origin());
-    pass_.draw({static_cast<GLsizei>(rods.size()), static_cast<GLint>(a_body), points.origin(),
-                kThrown * longest_body(rods, a_body)},
-               depths, camera, width, height);
+    pass_.draw({static_cast<GLsizei>(rods.size()), 0, points.origin(), kThrown * thickest}, depths, camera,
+               width, height);
 }
 
 }  // namespace orbweaver::view

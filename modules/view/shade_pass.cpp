@@ -7,12 +7,15 @@
 namespace orbweaver::view {
 namespace {
 
+constexpr float kReach = 6;       // radii, how far a rod keeps off the sky's light
+constexpr float kChainReach = 3;  // less: rods in a row are thick ones, whose boxes would fill the picture
+
 constexpr const char* kVertex = R"(
 uniform mat4 view_projection;
 uniform vec4 key;    // towards it; m, how far shadows are thrown
 flat out vec4 from;  // m, and radius
 flat out vec3 to;
-const float kReach = 6;
+uniform float reach;  // radii, how far shade goes
 void main() {
     find_rod(gl_InstanceID, from, to);
 
@@ -22,8 +25,8 @@ void main() {
     if (length(level) < 1e-9) level = cross(key.xyz, abs(key.y) < 0.7 ? vec3(0, 1, 0) : vec3(1, 0, 0));
     mat3 axes = mat3(normalize(level), cross(key.xyz, normalize(level)), key.xyz);
     vec3 ends = along * axes;  // in the box's frame, from `from`
-    float reach = kReach * from.w;
-    vec3 low = min(ends, 0) - vec3(reach, reach, max(reach, key.w)), high = max(ends, 0) + reach;
+    float wide = reach * from.w;
+    vec3 low = min(ends, 0) - vec3(wide, wide, max(wide, key.w)), high = max(ends, 0) + wide;
 
     // Its twelve triangles: of face f, whose axis is f / 2, corners (-,-) (+,-) (+,+) and (-,-) (+,+) (-,+).
     int face = gl_VertexID / 6, corner = gl_VertexID % 6;
@@ -49,7 +52,7 @@ uniform bool chained;
 flat in vec4 from;
 flat in vec3 to;
 out vec4 color;
-const float kReach = 6;
+uniform float reach;
 const float kWidth = 0.12;
 const float kOfSky = 0.6, kOfKey = 0.5;  // how dark it gets
 
@@ -62,7 +65,7 @@ float kept_of_sky(vec3 at, vec3 along) {
     } else
         share = clamp(share, 0, 1);
     float away = distance(at, share * along) / from.w;
-    return part * min(max(1 / (away * away + 0.3) - 1 / (kReach * kReach + 0.3), 0), 1);
+    return part * min(max(1 / (away * away + 0.3) - 1 / (reach * reach + 0.3), 0), 1);
 }
 
 /// Where the ray to the key light passes the rod.
@@ -126,6 +129,7 @@ void ShadePass::draw(const ShadeRods& rods, GLuint depths, const Camera& camera,
                   static_cast<float>(key_.z), static_cast<float>(rods.cast));
     gl_.Uniform1i(uniform("bones"), rods.a_body);
     gl_.Uniform1i(uniform("chained"), chained_ ? 1 : 0);
+    gl_.Uniform1f(uniform("reach"), chained_ ? kChainReach : kReach);
     gl_.Uniform1i(uniform("moves"), 0);
     gl_.Uniform1i(uniform("rods"), 1);
     gl_.Uniform1i(uniform("depths"), 2);

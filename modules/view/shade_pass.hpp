@@ -9,7 +9,7 @@ namespace orbweaver::view {
 /// Rods that throw shade, as they are now.
 struct ShadeRods {
     GLsizei count = 0;
-    GLint a_body = 0;  ///< how many of them are one body's
+    GLint a_body = 0;  ///< how many of them are one body's, where `rod_source` asks
     Vec3 origin;       ///< m, which they are told relative to
     double cast = 0;   ///< m, how far shadows are thrown
 };
