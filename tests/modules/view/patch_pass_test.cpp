@@ -66,6 +66,26 @@ private:
     std::vector<std::uint8_t> rgb_;
 };
 
+/// Domes over both ends: the first ring is the third mirrored, the second the point between.
+void round_off(test::Tubes& tube) {
+    for (const auto& [outer, tip, inner] : {std::array{0U, 1U, 2U}, std::array{8U, 7U, 6U}}) {
+        tube.collapse(tip);
+        for (std::size_t i = 0; i < tube.shape.sides; ++i) {
+            const Vec3& from = tube.ring(inner)[i];
+            tube.ring(outer)[i] = {from.x, -from.y, -from.z};
+            tube.ring(tip)[i].x = 4.0 / 3 * from.x;
+        }
+    }
+}
+
+/// Cones at both ends: three rings in one point.
+void point(test::Tubes& tube) {
+    for (const auto& [tip, rings] : {std::pair{2U, std::array{0U, 1U}}, std::pair{6U, std::array{7U, 8U}}}) {
+        tube.collapse(tip);
+        for (const std::size_t ring : rings) std::ranges::copy(tube.ring(tip), tube.ring(ring).begin());
+    }
+}
+
 constexpr double kPixel = kMetres / kSize;
 const double kHalfRight = std::sqrt(0.5);
 
@@ -96,8 +116,8 @@ TEST_CASE("each body of patches is drawn where its points are", "[image]") {
     CHECK(studio.light(1.7, -2) > 0.1);
     CHECK(studio.light(-0.7, -2) == 0);
     CHECK(studio.light(0, 0) == 0);
-    for (Vec3& point : tubes.now) point += {1e7, 0, 0};  // far away nothing is coarser
-    studio.draw(tubes, {{1e7, 0, 100}, {1e7, 0, 0}, kFov});
+    for (Vec3& point : tubes.now) point += {1e7, 1e7, 0};  // far away nothing is coarser
+    studio.draw(tubes, {{1e7, 1e7, 100}, {1e7, 1e7, 0}, kFov});
     CHECK(studio.height(-0.5) == Approx(2 * 0.5 * (2.0 / 3 + kHalfRight / 3)).margin(1.5 * kPixel));
 }
 
@@ -204,35 +224,38 @@ TEST_CASE("where the map rises, skin looks back as far as the relief says", "[im
     CHECK(middle(above, 0) == Approx(middle(below, 0)).margin(0.03));  // half a pixel from the middle
     CHECK(middle(above, 0.5) > middle(above, 0) + 0.05);
     CHECK(middle(below, 0.5) < middle(below, 0) - 0.05);
+    const double slope = 0.5 * 4 / (8 * kHalfRight),
+                 sine = slope / std::sqrt(1 + slope * slope);  // (P - P) / 2
+    CHECK(middle(above, 0.5) == Approx(0.45 * sine * sine + 0.75 * (sine + 0.2) / 1.2).margin(0.03));
 }
 
 TEST_CASE("a tube ends where its rings become a point, and looks out of its axis there", "[image]") {
     Studio studio;
-    test::Tubes pole({{0, 0, 0}}, 9, 8), cone({{0, 0, 0}}, 9, 8);
-    pole.collapse(1);
-    pole.collapse(7);
-    for (const auto& [end, inner, tip] :
-         {std::array{0, 2, 1}, std::array{8, 6, 7}})  // round: mirrored at the tip
-        for (std::size_t i = 0; i < 8; ++i) {
-            const Vec3& from = pole.ring(static_cast<std::size_t>(inner))[i];
-            pole.ring(static_cast<std::size_t>(end))[i] = {from.x, -from.y, -from.z};
-            pole.ring(static_cast<std::size_t>(tip))[i].x = from.x * 4 / 3;
-        }
-    for (const std::size_t ring : {0U, 1U, 2U, 6U, 7U, 8U}) cone.collapse(ring);
-    for (std::size_t ring : {0U, 1U, 7U, 8U})
-        for (Vec3& point : cone.ring(ring)) point = cone.ring(ring < 4 ? 2 : 6)[0];
-    for (test::Tubes* each : {&pole, &cone})
+    test::Tubes round({{0, 0, 0}}, 9, 8), pointed({{0, 0, 0}}, 9, 8);
+    round_off(round);
+    point(pointed);
+    for (test::Tubes* each : {&round, &pointed})
         for (const Vec3& eye : {Vec3{-100, 0, 0}, Vec3{100, 0, 0}, Vec3{-70, 0, 70}, Vec3{0, 0, 100}}) {
-            CAPTURE(eye.x, eye.z, each == &pole);
+            CAPTURE(eye.x, eye.z, each == &round);
             studio.draw(*each, {eye, {0, 0, 0}, kFov}, even(0.5F), 0.5F);
             CHECK(studio.darkest() > 100);  // what is no number is drawn black
         }
-    for (const double side : {-1.0, 1.0}) {  // lit from this side alone, wholly
-        const CubeSky sky = side < 0 ? faces({0, 0.4F, 0, 0, 0, 0}) : faces({0.4F, 0, 0, 0, 0, 0});
-        pole.wrap.relief = cone.wrap.relief = 0.1;  // its slopes have no end there
-        studio.draw(pole, {{100 * side, 0, 0}, {0, 0, 0}, kFov}, sky);
-        CHECK(studio.light(0, 0) == Approx(0.4 * (0.9 + 1.5 + 0.04)).margin(0.03));
-    }
+    studio.draw(round, {{-100, 0, 0}, {0, 0, 0}, kFov}, faces({0, 0.4F, 0, 0, 0, 0}));
+    CHECK(studio.light(0, 0) == Approx(0.4 * (0.9 + 1.5 + 0.04)).margin(0.03));  // wholly lit
+    studio.draw(round, {{100, 0, 0}, {0, 0, 0}, kFov}, faces({0.4F, 0, 0, 0, 0, 0}));
+    CHECK(studio.light(0, 0) == Approx(0.4 * (0.9 + 1.5 + 0.04)).margin(0.03));
+}
+
+TEST_CASE("a relief that is drawn together to a point does not turn skin away from everything", "[image]") {
+    Studio studio;
+    test::Tubes tube({{0, 0, 0}}, 9, 8);
+    round_off(tube);
+    tube.paint(2, 1, {255, 255, 255, 0, 255, 255, 255, 255});
+    tube.wrap.relief = 1;
+    studio.draw(tube, {{100, 0, 0}, {0, 0, 0}, kFov}, faces({0.4F, 0, 0, 0, 0, 0}));
+    const double cosine = 1 / std::sqrt(5.0);  // of a slope of 2
+    for (const auto& [x, y] : {std::pair{0.05, 0.0}, {-0.05, 0.05}, {0.0, -0.05}, {0.1, 0.1}})
+        CHECK(studio.light(x, y) > 0.4 * (0.9 * cosine * cosine + 1.5 * (cosine + 0.2) / 1.2) - 0.03);
 }
 
 TEST_CASE("a body of one point is drawn nowhere", "[extreme]") {
