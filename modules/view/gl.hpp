@@ -45,6 +45,7 @@ namespace orbweaver::view {
     X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                 \
     X(PFNGLGENTEXTURESPROC, GenTextures)                         \
     X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                 \
+    X(PFNGLGENERATEMIPMAPPROC, GenerateMipmap)                   \
     X(PFNGLGETINTEGERVPROC, GetIntegerv)                         \
     X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)             \
     X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                       \
@@ -62,6 +63,7 @@ namespace orbweaver::view {
     X(PFNGLUNIFORM1FPROC, Uniform1f)                             \
     X(PFNGLUNIFORM1IPROC, Uniform1i)                             \
     X(PFNGLUNIFORM2FPROC, Uniform2f)                             \
+    X(PFNGLUNIFORM2IPROC, Uniform2i)                             \
     X(PFNGLUNIFORM3FPROC, Uniform3f)                             \
     X(PFNGLUNIFORM4FPROC, Uniform4f)                             \
     X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)               \

@@ -1,26 +1,23 @@
 #include "shade_pass.hpp"
 
-#include <algorithm>
 #include <string>
-#include <vector>
 
 #include "shader.hpp"
 
 namespace orbweaver::view {
 namespace {
 
+constexpr float kReach = 6;       // radii, how far a rod keeps off the sky's light
+constexpr float kChainReach = 3;  // less: rods in a row are thick ones, whose boxes would fill the picture
+
 constexpr const char* kVertex = R"(
-uniform samplerBuffer rods;
 uniform mat4 view_projection;
 uniform vec4 key;    // towards it; m, how far shadows are thrown
 flat out vec4 from;  // m, and radius
 flat out vec3 to;
-const float kReach = 6;
+uniform float reach;  // radii, how far shade goes
 void main() {
-    int creature = gl_InstanceID / bones, bone = gl_InstanceID % bones;
-    vec4 a = texelFetch(rods, 2 * bone), b = texelFetch(rods, 2 * bone + 1);
-    from = vec4(moved(creature, bone, vec4(a.xyz, 1)), a.w);
-    to = moved(creature, bone, vec4(b.xyz, 1));
+    find_rod(gl_InstanceID, from, to);
 
     // A box around rod and shadow: z towards the key light, and no extent of the rod's along y.
     vec3 along = to - from.xyz;
@@ -28,8 +25,8 @@ void main() {
     if (length(level) < 1e-9) level = cross(key.xyz, abs(key.y) < 0.7 ? vec3(0, 1, 0) : vec3(1, 0, 0));
     mat3 axes = mat3(normalize(level), cross(key.xyz, normalize(level)), key.xyz);
     vec3 ends = along * axes;  // in the box's frame, from `from`
-    float reach = kReach * from.w;
-    vec3 low = min(ends, 0) - vec3(reach, reach, max(reach, key.w)), high = max(ends, 0) + reach;
+    float wide = reach * from.w;
+    vec3 low = min(ends, 0) - vec3(wide, wide, max(wide, key.w)), high = max(ends, 0) + wide;
 
     // Its twelve triangles: of face f, whose axis is f / 2, corners (-,-) (+,-) (+,+) and (-,-) (+,+) (-,+).
     int face = gl_VertexID / 6, corner = gl_VertexID % 6;
@@ -51,17 +48,24 @@ uniform vec3 forward;  // unit
 uniform vec3 right;    // to the picture's rim, at a depth of 1
 uniform vec3 up;
 uniform vec4 key;
+uniform bool chained;
 flat in vec4 from;
 flat in vec3 to;
 out vec4 color;
-const float kReach = 6;
+uniform float reach;
 const float kWidth = 0.12;
 const float kOfSky = 0.6, kOfKey = 0.5;  // how dark it gets
 
 float kept_of_sky(vec3 at, vec3 along) {
-    float share = clamp(dot(at, along) / dot(along, along), 0, 1);
+    float share = dot(at, along) / dot(along, along), part = 1;
+    if (chained) {  // what of an endless rod's it keeps off: rods in a row sum up to one
+        float wide = max(distance(at, share * along), from.w), span = length(along);
+        vec2 ends = vec2(share, 1 - share) * span;
+        part = 0.5 * (ends.x / length(vec2(ends.x, wide)) + ends.y / length(vec2(ends.y, wide)));
+    } else
+        share = clamp(share, 0, 1);
     float away = distance(at, share * along) / from.w;
-    return min(max(1 / (away * away + 0.3) - 1 / (kReach * kReach + 0.3), 0), 1);
+    return part * min(max(1 / (away * away + 0.3) - 1 / (reach * reach + 0.3), 0), 1);
 }
 
 /// Where the ray to the key light passes the rod.
@@ -73,7 +77,8 @@ float kept_of_key(vec3 at, vec3 along) {
     float past = length(at + far * key.xyz - share * along);
     float across = clamp((from.w + soft - past) / (2 * min(soft, from.w)), 0, 1) * min(1, from.w / soft);
     float ramp = 2 * soft + 1.4 * from.w;  // at their ends rods that are joined keep off a half each
-    float within = clamp(0.5 + share * span / ramp, 0, 1) * clamp(0.5 + (1 - share) * span / ramp, 0, 1);
+    vec2 ends = clamp(0.5 + vec2(share, 1 - share) * span / ramp, 0, 1);
+    float within = chained ? ends.x + ends.y - 1 : ends.x * ends.y;  // so do short ones in a row
     return across * within * min(2 - 2 * far / key.w, 1);
 }
 
@@ -93,33 +98,17 @@ void main() {
 
 }  // namespace
 
-ShadePass::ShadePass(const Gl& gl, const SkinMesh& mesh, const KeyLight& key)
+ShadePass::ShadePass(const Gl& gl, const char* rod_source, Joints joints, const KeyLight& key)
     : gl_(gl),
       key_(key.direction),
-      program_(make_program(gl, "shade", (std::string("#version 330 core") + kMovedSource + kVertex).c_str(),
+      chained_(joints == Joints::chained),
+      program_(make_program(gl, "shade", (std::string("#version 330 core") + rod_source + kVertex).c_str(),
                             kFragment)),
-      vertices_(gl, ObjectKind::vertex_array),
-      rod_buffer_(gl, ObjectKind::buffer),
-      rod_texture_(gl, ObjectKind::texture),
-      bones_(static_cast<GLint>(mesh.rods.size())) {
-    constexpr double kThrown = 1.2;  // of the longest way from the first rod to another's end
-    std::vector<float> texels;
-    double extent = 0;
-    for (const SkinRod& rod : mesh.rods) extent = std::max(extent, distance(rod.b, mesh.rods.front().a));
-    cast_ = static_cast<float>(kThrown * extent);
-    for (const SkinRod& rod : mesh.rods)
-        for (const double number : {rod.a.x, rod.a.y, rod.a.z, rod.radius, rod.b.x, rod.b.y, rod.b.z, 0.0})
-            texels.push_back(static_cast<float>(number));
-    memory_bytes_ = texels.size() * sizeof(float);
-    gl.BindBuffer(GL_TEXTURE_BUFFER, rod_buffer_.name());
-    gl.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(memory_bytes_), texels.data(), GL_STATIC_DRAW);
-    gl.BindTexture(GL_TEXTURE_BUFFER, rod_texture_.name());
-    gl.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, rod_buffer_.name());
-}
+      vertices_(gl, ObjectKind::vertex_array) {}
 
-void ShadePass::draw(const SkinMoves& moves, GLuint depths, const Camera& camera, int width, int height) const {
-    if (moves.creatures() == 0) return;
-    const Camera local{camera.position - moves.origin(), camera.target - moves.origin(), camera.fov_degrees};
+void ShadePass::draw(const ShadeRods& rods, GLuint depths, const Camera& camera, int width, int height) const {
+    if (rods.count == 0) return;
+    const Camera local{camera.position - rods.origin, camera.target - rods.origin, camera.fov_degrees};
     const auto [near, far] = clip_depths(camera);
     const double aspect = static_cast<double>(width) / height;
     const auto matrix = view_projection(local, aspect, near, far);
@@ -137,14 +126,13 @@ void ShadePass::draw(const SkinMoves& moves, GLuint depths, const Camera& camera
     vector("right", half_height(camera) * aspect * of.right);
     vector("up", half_height(camera) * of.up);
     gl_.Uniform4f(uniform("key"), static_cast<float>(key_.x), static_cast<float>(key_.y),
-                  static_cast<float>(key_.z), cast_);
-    gl_.Uniform1i(uniform("bones"), bones_);
+                  static_cast<float>(key_.z), static_cast<float>(rods.cast));
+    gl_.Uniform1i(uniform("bones"), rods.a_body);
+    gl_.Uniform1i(uniform("chained"), chained_ ? 1 : 0);
+    gl_.Uniform1f(uniform("reach"), chained_ ? kChainReach : kReach);
     gl_.Uniform1i(uniform("moves"), 0);
     gl_.Uniform1i(uniform("rods"), 1);
     gl_.Uniform1i(uniform("depths"), 2);
-    moves.bind(0);
-    gl_.ActiveTexture(GL_TEXTURE1);
-    gl_.BindTexture(GL_TEXTURE_BUFFER, rod_texture_.name());
     gl_.ActiveTexture(GL_TEXTURE2);
     gl_.BindTexture(GL_TEXTURE_2D, depths);
     gl_.BindVertexArray(vertices_.name());
@@ -155,7 +143,7 @@ void ShadePass::draw(const SkinMoves& moves, GLuint depths, const Camera& camera
     gl_.Enable(GL_DEPTH_TEST);  // what they do not cover is beyond the box
     gl_.DepthFunc(GL_GREATER);
     gl_.DepthMask(GL_FALSE);
-    gl_.DrawArraysInstanced(GL_TRIANGLES, 0, 36, bones_ * moves.creatures());
+    gl_.DrawArraysInstanced(GL_TRIANGLES, 0, 36, rods.count);
     gl_.DepthMask(GL_TRUE);
     gl_.DepthFunc(GL_LESS);
     gl_.Disable(GL_DEPTH_TEST);

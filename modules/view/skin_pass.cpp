@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "body_light.hpp"
 #include "picture/color.hpp"
 #include "shader.hpp"
 
@@ -34,11 +35,8 @@ void main() {
 }
 )";
 
-constexpr const char* kFragment = R"(#version 330 core
+constexpr const char* kFragment = R"(
 uniform vec3 eye;
-uniform vec3 light[6];  // from +x, -x, +y, -y, -z, +z
-uniform vec3 key_direction;
-uniform vec3 key_light;
 uniform float grain;
 in vec3 rest;
 in vec3 place;
@@ -46,11 +44,6 @@ in vec3 normal;
 in vec4 look;
 out vec4 color;
 
-vec3 sky(vec3 n) {
-    vec3 part = n * n;
-    return part.x * (n.x > 0 ? light[0] : light[1]) + part.y * (n.y > 0 ? light[2] : light[3]) +
-           part.z * (n.z < 0 ? light[4] : light[5]);
-}
 float chance(vec3 cell) { return fract(sin(dot(cell, vec3(127.1, 311.7, 74.7))) * 43758.5453); }
 float noise(vec3 p) {
     vec3 cell = floor(p), t = fract(p);
@@ -66,17 +59,10 @@ float noise(vec3 p) {
     return mix(y.x, y.y, t.x);
 }
 void main() {
-    vec3 n = normalize(normal), v = normalize(eye - place), h = normalize(v + key_direction);
     float gloss = look.a, dull = 1 - gloss;
     float mottle = 0.6 * noise(rest * grain) + 0.4 * noise(rest * grain * 2.7);
     vec3 skin = look.rgb * mix(1, 0.55 + 0.9 * mottle, dull);
-    float facing = max(dot(n, v), 0), to_key = dot(n, key_direction);
-    vec3 lit = 0.9 * sky(n) + 1.5 * key_light * max((to_key + 0.2) / 1.2, 0);
-    vec3 sheen = dull * pow(1 - facing, 3) * (0.25 * skin + 0.06) * (sky(n) + 0.5 * key_light * max(to_key, 0));
-    float narrow = mix(10, 160, gloss * gloss);
-    vec3 shine = key_light * pow(max(dot(n, h), 0), narrow) * mix(0.04, 1.2, gloss * gloss) * step(0, to_key);
-    vec3 mirror = sky(reflect(-v, n)) * gloss * gloss * (0.05 + 0.6 * pow(1 - facing, 5));
-    color = vec4(skin * lit + sheen + shine + mirror, 1);
+    color = vec4(lit_body(skin, gloss, normalize(normal), normalize(eye - place)), 1);
 }
 )";
 
@@ -104,7 +90,7 @@ SkinPass::SkinPass(const Gl& gl, const SkinMesh& mesh, const SkyLight& light, co
       light_(light),
       key_(key),
       program_(make_program(gl, "skin", (std::string("#version 330 core") + kMovedSource + kVertex).c_str(),
-                            kFragment)),
+                            (std::string("#version 330 core") + kBodyLightSource + kFragment).c_str())),
       vertices_(gl, ObjectKind::vertex_array),
       vertex_buffer_(gl, ObjectKind::buffer),
       triangle_buffer_(gl, ObjectKind::buffer) {
@@ -150,19 +136,12 @@ void SkinPass::draw(const SkinMoves& moves, const Camera& camera, int width, int
     const Camera local{camera.position - moves.origin(), camera.target - moves.origin(), camera.fov_degrees};
     const auto [near, far] = clip_depths(camera);
     const auto matrix = view_projection(local, static_cast<double>(width) / height, near, far);
-    const auto uniform = [&](const std::string& name) {
-        return gl_.GetUniformLocation(program_.name(), name.c_str());
-    };
-    const auto vector = [&](const char* name, const Vec3& v) {
-        gl_.Uniform3f(uniform(name), static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z));
-    };
+    const auto uniform = [&](const char* name) { return gl_.GetUniformLocation(program_.name(), name); };
     gl_.UseProgram(program_.name());
     gl_.UniformMatrix4fv(uniform("view_projection"), 1, GL_FALSE, matrix.data());
-    vector("eye", local.position);
-    for (std::size_t f = 0; f < kFaces; ++f)
-        gl_.Uniform3f(uniform("light[" + std::to_string(f) + "]"), light_[f][0], light_[f][1], light_[f][2]);
-    vector("key_direction", key_.direction);
-    gl_.Uniform3f(uniform("key_light"), key_.light[0], key_.light[1], key_.light[2]);
+    gl_.Uniform3f(uniform("eye"), static_cast<float>(local.position.x), static_cast<float>(local.position.y),
+                  static_cast<float>(local.position.z));
+    send_body_light(gl_, program_, light_, key_);
     gl_.Uniform1f(uniform("grain"), grain_);
     gl_.Uniform1i(uniform("moves"), 0);
     gl_.Uniform1i(uniform("bones"), bones_);

@@ -6,9 +6,8 @@
 
 namespace orbweaver::view {
 
-/// Draws bodies with a skin: one mesh for all of a kind, each vertex moved by its two bones. Light is the sky's
-/// six directions (as surfaces have it) and its key light, which is not shadowed; dull skin has a sheen towards
-/// its rims, as hair has, polished skin shows the key light and the sky.
+/// Draws bodies with a skin: one mesh for all of a kind, each vertex moved by its two bones; in the light of
+/// all bodies.
 class SkinPass {
 public:
     SkinPass(const Gl& gl, const SkinMesh& mesh, const SkyLight& light, const KeyLight& key);

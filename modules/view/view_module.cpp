@@ -9,9 +9,11 @@
 #include "orbweaver/contracts/input.hpp"
 #include "orbweaver/contracts/picture_source.hpp"
 #include "orbweaver/entry.hpp"
-#include "shade_pass.hpp"
+#include "patch_pass.hpp"
+#include "patch_shade.hpp"
 #include "sketch_pass.hpp"
 #include "skin_pass.hpp"
+#include "skin_shade.hpp"
 #include "sky_pass.hpp"
 #include "sky_source.hpp"
 #include "surface_pass.hpp"
@@ -43,10 +45,19 @@ ThreadLook asked_look(const Options& options) {
 /// Bodies of one kind.
 struct SkinView {
     SkinMoves moves;
-    ShadePass shade;
+    SkinShade shade;
     SkinPass pass;
     SkinView(const Gl& gl, Skins& skins, const SkyLight& light, const KeyLight& key)
         : moves(gl, skins), shade(gl, skins.mesh(), key), pass(gl, skins.mesh(), light, key) {}
+};
+
+/// Bodies of patches of one kind.
+struct PatchView {
+    PatchPoints points;
+    PatchShade shade;
+    PatchPass pass;
+    PatchView(const Gl& gl, Patches& patches, const SkyLight& light, const KeyLight& key)
+        : points(gl, patches), shade(gl, key), pass(gl, patches, light, key) {}
 };
 
 /// Draws one picture each time the host presents.
@@ -63,13 +74,15 @@ public:
 private:
     void open_canvas(const Host& host);
     void make_passes(Host& host);
+    void make_lit_passes(Host& host, const CubeSky& sky);
     void make_targets(Size size);
     Camera home_camera(Host& host) const;
     void obey_input();
     void follow_window();
     void draw_backdrop();
-    void draw_skins();
-    bool deep() const noexcept { return surface_ || !skins_.empty(); }
+    void draw_bodies();
+    bool any_body() const noexcept { return !skins_.empty() || !patches_.empty(); }
+    bool deep() const noexcept { return surface_ || any_body(); }
     int fineness(Size size) const;
 
     Canvas* canvas_ = nullptr;
@@ -81,8 +94,9 @@ private:
     std::vector<std::unique_ptr<ThreadPass>> threads_;
     std::vector<std::unique_ptr<SketchPass>> sketches_;
     std::vector<std::unique_ptr<SkinView>> skins_;
+    std::vector<std::unique_ptr<PatchView>> patches_;
     std::optional<FrameTarget> backdrop_;  // sky and surface: they change only with the camera
-    std::optional<FrameTarget> bodies_;    // the same with what has a skin, where anything has
+    std::optional<FrameTarget> bodies_;    // the same with the bodies, where there are any
     std::optional<FrameTarget> picture_;
     bool backdrop_stale_ = true;
     Camera home_;
@@ -114,18 +128,25 @@ void View::open_canvas(const Host& host) {
 void View::make_passes(Host& host) {
     const CubeSky sky = load_sky(host);
     sky_.emplace(gl_, sky);
-    const Surface* surface = host.find<Surface>();
-    const auto skins = host.collect<Skins>();
-    if (surface != nullptr || !skins.empty()) {
-        const SkyLight light = sky_light(sky);
-        if (surface != nullptr) surface_.emplace(gl_, *surface, asked_surface_look(host.options()), light);
-        const KeyLight key = skins.empty() ? KeyLight{} : key_light(sky);
-        for (Skins* each : skins) skins_.push_back(std::make_unique<SkinView>(gl_, *each, light, key));
-    }
+    make_lit_passes(host, sky);
     for (const Threads* threads : host.collect<Threads>())
         threads_.push_back(std::make_unique<ThreadPass>(gl_, *threads, asked_look(host.options())));
     for (Sketch* sketch : host.collect<Sketch>())
         if (sketch->wanted()) sketches_.push_back(std::make_unique<SketchPass>(gl_, *sketch));
+}
+
+/// What the sky lights.
+void View::make_lit_passes(Host& host, const CubeSky& sky) {
+    const Surface* surface = host.find<Surface>();
+    const auto skins = host.collect<Skins>();
+    const auto patches = host.collect<Patches>();
+    const bool bodies = !skins.empty() || !patches.empty();
+    if (surface == nullptr && !bodies) return;
+    const SkyLight light = sky_light(sky);
+    if (surface != nullptr) surface_.emplace(gl_, *surface, asked_surface_look(host.options()), light);
+    const KeyLight key = bodies ? key_light(sky) : KeyLight{};
+    for (Skins* each : skins) skins_.push_back(std::make_unique<SkinView>(gl_, *each, light, key));
+    for (Patches* each : patches) patches_.push_back(std::make_unique<PatchView>(gl_, *each, light, key));
 }
 
 /// Pixels of the backdrop a pixel of the picture, along a side: the steps of surfaces' and skins' rims are
@@ -141,7 +162,7 @@ void View::make_targets(Size size) {
     const Size fine{fineness(size) * size.width, fineness(size) * size.height};
     picture_.emplace(gl_, size.width, size.height, depth);
     backdrop_.emplace(gl_, fine.width, fine.height, depth);
-    if (!skins_.empty()) bodies_.emplace(gl_, fine.width, fine.height, depth);
+    if (any_body()) bodies_.emplace(gl_, fine.width, fine.height, depth);
     backdrop_stale_ = true;
 }
 
@@ -152,6 +173,10 @@ Camera View::home_camera(Host& host) const {
         points.insert(points.end(), threads->points().begin(), threads->points().end());
     if (const Surface* surface = host.find<Surface>())
         points.insert(points.end(), surface->vertices().begin(), surface->vertices().end());
+    for (Patches* patches : host.collect<Patches>()) {
+        const auto now = patches->points();
+        points.insert(points.end(), now.begin(), now.end());
+    }
     const Vec3 target = options.has("camera.target") ? options.vector("camera.target") : middle(points);
     const double aspect = static_cast<double>(width()) / height();
     Camera camera = frame_points(points, target, options.number("camera.fov"), aspect);
@@ -186,14 +211,14 @@ void View::draw_backdrop() {
         if (surface_) surface_->draw(camera_, backdrop_->width(), backdrop_->height());
         backdrop_stale_ = false;
     }
-    if (!skins_.empty()) draw_skins();
-    const FrameTarget& drawn = skins_.empty() ? *backdrop_ : *bodies_;
+    if (any_body()) draw_bodies();
+    const FrameTarget& drawn = any_body() ? *bodies_ : *backdrop_;
     drawn.copy_to(picture_->framebuffer(), width(), height());
     if (deep()) drawn.copy_depths_to(*picture_);
 }
 
 /// All shades first: bodies have none on them.
-void View::draw_skins() {
+void View::draw_bodies() {
     backdrop_->copy_to(bodies_->framebuffer(), bodies_->width(), bodies_->height());
     backdrop_->copy_depths_to(*bodies_);
     bodies_->bind();
@@ -201,7 +226,13 @@ void View::draw_skins() {
         each->moves.update();
         each->shade.draw(each->moves, backdrop_->depths(), camera_, bodies_->width(), bodies_->height());
     }
+    for (const auto& each : patches_) {
+        each->points.update();
+        each->shade.draw(each->points, backdrop_->depths(), camera_, bodies_->width(), bodies_->height());
+    }
     for (const auto& each : skins_) each->pass.draw(each->moves, camera_, bodies_->width(), bodies_->height());
+    for (const auto& each : patches_)
+        each->pass.draw(each->points, camera_, bodies_->width(), bodies_->height());
 }
 
 void View::run(Phase, const Frame&) {
@@ -230,6 +261,8 @@ void View::report(ModuleReport& report) {
     if (bodies_) bytes += bodies_->memory_bytes();
     for (const auto& each : skins_)
         bytes += each->moves.memory_bytes() + each->shade.memory_bytes() + each->pass.memory_bytes();
+    for (const auto& each : patches_)
+        bytes += each->points.memory_bytes() + each->shade.memory_bytes() + each->pass.memory_bytes();
     for (const auto& each : threads_) bytes += each->memory_bytes();
     for (const auto& each : sketches_) bytes += each->memory_bytes();
     report.memory_bytes = bytes;

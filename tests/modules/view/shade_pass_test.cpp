@@ -1,65 +1,28 @@
-#include "shade_pass.hpp"
-
-#include "build.hpp"
-#include "frame_target.hpp"
-#include "mesh_surface.hpp"
-#include "offscreen.hpp"
-#include "picture/color.hpp"
+#include "ground.hpp"
 #include "plates.hpp"
-#include "shapes.hpp"
-#include "sky_pass.hpp"
-#include "surface_pass.hpp"
+#include "skin_shade.hpp"
 
 using namespace orbweaver;
 using namespace orbweaver::view;
 
 namespace {
 
-constexpr int kSize = 64;
-constexpr Camera kCamera{{0, 14, 0.001}, {0, 2, 0}, 45.23972915};  // 10 m of the cube's top, from above
-
-/// The top of a cube 4 m high, lit evenly, and rods of 0.3 m along x above it. The light of its pixels, as a
-/// share of what it is without.
+/// Rods of 0.3 m along x above the ground.
 class Studio {
 public:
-    Studio()
-        : canvas_(kSize, kSize),
-          ground_(canvas_.gl, kSize, kSize, FrameTarget::Depth::kept),
-          picture_(canvas_.gl, kSize, kSize, FrameTarget::Depth::kept) {}
-
     void draw(double height, const Vec3& towards_key) {
-        mesh::Validation validation;
-        const auto data = mesh::build_surface_mesh(mesh::cube(40, 1), {}, "the test's cube", validation);
-        const surface::MeshSurface cube(data.view(), std::nullopt, {});
-        CubeSky sky;
-        sky.size = 2;
-        for (auto& face : sky.faces) face.assign(12, 0.5F);
-        Camera camera = kCamera;
-        camera.position.y += 18;
-        camera.target.y += 18;
-        ground_.bind();
-        ground_.clear_depths();
-        SurfacePass(canvas_.gl, cube, {{1, 1, 1}, 0}, sky_light(sky)).draw(camera, kSize, kSize);
-        ground_.copy_to(picture_.framebuffer(), kSize, kSize);
-        ground_.copy_depths_to(picture_);
-        picture_.bind();
-        test::Plates plates({{0, 20 + height, 0}});
-        SkinMoves moves(canvas_.gl, plates);
-        moves.update();
-        ShadePass(canvas_.gl, plates.mesh(), {towards_key / norm(towards_key), {}})
-            .draw(moves, ground_.depths(), camera, kSize, kSize);
-        picture_.read(rgb_);
+        ground_.draw([&](const Gl& gl, GLuint depths, const Camera& camera, int size) {
+            test::Plates plates({{0, 20 + height, 0}});
+            SkinMoves moves(gl, plates);
+            moves.update();
+            SkinShade(gl, plates.mesh(), {towards_key / norm(towards_key), {}})
+                .draw(moves, depths, camera, size, size);
+        });
     }
-    double left(double x, double z) const {
-        const auto column = static_cast<std::size_t>((x / 10 + 0.5) * kSize);
-        const auto row = static_cast<std::size_t>((z / 10 + 0.5) * kSize);
-        return picture::linear_from_byte()[rgb_[3 * (row * kSize + column)]] / 0.5;
-    }
+    double left(double x, double z) const { return ground_.left(x, z); }
 
 private:
-    test::Offscreen canvas_;
-    FrameTarget ground_, picture_;
-    std::vector<std::uint8_t> rgb_;
+    test::Ground ground_;
 };
 
 }  // namespace

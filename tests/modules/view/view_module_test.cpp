@@ -10,6 +10,7 @@
 #include "orbweaver/contracts/threads.hpp"
 #include "plates.hpp"
 #include "shapes.hpp"
+#include "tubes.hpp"
 
 using namespace orbweaver;
 
@@ -112,6 +113,26 @@ TEST_CASE("bodies with a skin are drawn where there are any, and cost nothing wh
     CHECK(rgb[at(32, 24) + 2] > 240);  // threads before it
     CHECK(rgb[at(10, 40)] == before[at(10, 40)]);
     CHECK(stage.view.report().memory_bytes > bare.view.report().memory_bytes);
+}
+
+TEST_CASE("bodies of patches are drawn where there are any, and the camera has them in the picture",
+          "[image]") {
+    Stage bare, stage;
+    test::Tubes tubes({{0, 5, 0}, {0, -5, 0}}, 6, 8);  // the cross is within 1 m
+    tubes.paint(1, 1, {255, 0, 0, 0});
+    stage.host.offer<Patches>(tubes);
+    for (Stage* each : {&bare, &stage}) {
+        each->host.set("thread.color", Vec3{0, 0, 1});
+        REQUIRE(each->canvas.attach(each->host));
+        REQUIRE(each->view.attach(each->host));
+    }
+    bare.picture();
+    const auto rgb = stage.picture();
+    const auto at = [](std::size_t x, std::size_t y) { return 3 * (y * 64 + x); };
+    for (const std::size_t y : {5U, 42U}) CHECK(rgb[at(32, y)] > 2 * rgb[at(32, y) + 2]);
+    CHECK(rgb[at(32, 14)] < 2 * rgb[at(32, 14) + 2]);
+    CHECK(rgb[at(32, 24) + 2] > 150);  // the cross, smaller now
+    CHECK(stage.view.report().memory_bytes > bare.view.report().memory_bytes + 64 * 48 * 4 * 8);
 }
 
 TEST_CASE("the request's size overrides the scene's", "[unit]") {
