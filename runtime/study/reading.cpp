@@ -82,7 +82,9 @@ std::optional<Reader> Reader::find() {
     std::istringstream folders(path != nullptr ? path : "");
     for (std::string folder; std::getline(folders, folder, ':');) {
         const fs::path program = fs::path(folder) / "tesseract";
-        if (::access(program.c_str(), X_OK) == 0) return Reader(program.string());
+        std::error_code error;
+        if (fs::is_regular_file(program, error) && ::access(program.c_str(), X_OK) == 0)
+            return Reader(program.string());
     }
     return std::nullopt;
 }

@@ -75,8 +75,10 @@ TEST_CASE("there is a reader only where PATH has a program of its name that may 
         return Reader::find().has_value();
     };
     folder.write("plain/tesseract", "#!/bin/sh\n");  // not to be run
+    std::filesystem::create_directories(folder.path("sources/tesseract"));
     write_script(folder, "other/tesseract4", "");
-    const std::string none = folder.path("plain") + "::" + folder.path("other") + ":" + folder.path("missing");
+    const std::string none = folder.path("plain") + ":" + folder.path("sources") + "::" + folder.path("other") +
+                             ":" + folder.path("missing");
     CHECK_FALSE(found(none));
     CHECK_FALSE(found(""));
     CHECK_FALSE(found(std::nullopt));
