@@ -97,7 +97,8 @@ TEST_CASE("the first reader in PATH is the one that reads", "[unit]") {
     CHECK(Reader::find()->read(shades(1, 1)) == "two\n");
 }
 
-TEST_CASE("the reader is given the picture as a gray map, as one block of capitals", "[unit]") {
+TEST_CASE("the reader is given the picture as a gray map, as one block of capitals and nothing between pages",
+          "[unit]") {
     const OnlyReader only("/bin/cat > $0.seen\nprintf '%s\\n' \"$@\" > $0.asked\n");
     const picture::GrayPicture picture = shades(300, 400);  // more than a pipe holds
     CHECK(only.find().read(picture).empty());
@@ -108,7 +109,8 @@ TEST_CASE("the reader is given the picture as a gray map, as one block of capita
     CHECK(std::equal(picture.shades.begin(), picture.shades.end(), seen.begin() + head.size(),
                      [](std::uint8_t shade, char byte) { return shade == static_cast<std::uint8_t>(byte); }));
     CHECK(read_file(only.folder.path("tesseract.asked")) ==
-          "stdin\nstdout\n--psm\n6\n-c\ntessedit_char_whitelist=ABCDEFGHIJKLMNOPQRSTUVWXYZ\n");
+          "stdin\nstdout\n--psm\n6\n-c\ntessedit_char_whitelist=ABCDEFGHIJKLMNOPQRSTUVWXYZ\n-c\n"
+          "page_separator=\n");
 }
 
 TEST_CASE("all that the reader says is heard, but for its complaints", "[unit]") {
