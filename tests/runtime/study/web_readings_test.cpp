@@ -125,6 +125,21 @@ TEST_CASE("each way is held against the bare web where it wrote, though another 
                    {without_inscription(scene.run), outcome.blocks, times, false});
 }
 
+TEST_CASE("the bare web stays bare whatever a command line said of the inscription", "[unit]") {
+    const FakeReader fake;
+    const Reader reader = *Reader::find();
+    const PaintedScene scene(kTables);
+    const std::vector<double> times{0};
+    RunSettings asked = scene.run;
+    asked.overrides = {GENERATE("inscription.more=3", "inscription={more=3}"), "view.half=0.003"};
+    RunSettings bare = scene.run;
+    bare.overrides = {"view.half=0.003"};
+    const auto outcome = written(2);
+    WebReadings readings(asked, reader, kText, kBlur, times);
+    check_rows(readings.of("ab", outcome), "ab", times, {with_mode(asked, "ab"), outcome.blocks, times, false},
+               {without_inscription(bare), outcome.blocks, times, false});
+}
+
 TEST_CASE("runs that are read ask no module for anything beyond their scene", "[unit]") {
     const FakeReader fake;
     const Reader reader = *Reader::find();
