@@ -189,5 +189,5 @@ TEST_CASE("what no time was left for is said", "[extreme]") {
     const WritingsResult unread = studied.study();
     CHECK(unread.trade.size() == 9);
     CHECK(unread.readings.empty());
-    CHECK(unread.ways.sentences.back() == "brush and what follows it was not read for lack of time");
+    CHECK(unread.ways.sentences.back() == "brush and what follows it was not read when interrupted");
 }
