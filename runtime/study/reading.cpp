@@ -23,6 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kOnlyCapitals = "tessedit_char_whitelist=ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+
 /// Bytes in memory that a child may read or write as a file.
 class MemoryFile {
 public:
@@ -82,7 +84,9 @@ std::optional<Reader> Reader::find() {
     std::istringstream folders(path != nullptr ? path : "");
     for (std::string folder; std::getline(folders, folder, ':');) {
         const fs::path program = fs::path(folder) / "tesseract";
-        if (::access(program.c_str(), X_OK) == 0) return Reader(program.string());
+        std::error_code error;
+        if (fs::is_regular_file(program, error) && ::access(program.c_str(), X_OK) == 0)
+            return Reader(program.string());
     }
     return std::nullopt;
 }
@@ -90,11 +94,11 @@ std::optional<Reader> Reader::find() {
 std::string Reader::read(const picture::GrayPicture& picture) const {
     MemoryFile seen, said;
     seen.put(pgm_of(picture));
-    std::array<std::string, 8> words = {
-        program_, "stdin", "stdout", "--psm", "6", "-c", "tessedit_char_whitelist=ABCDEFGHIJKLMNOPQRSTUVWXYZ"};
+    // Some versions end a page in a form feed unless told otherwise.
+    std::array<std::string, 9> words = {program_, "stdin",       "stdout", "--psm",          "6",
+                                        "-c",     kOnlyCapitals, "-c",     "page_separator="};
     std::vector<char*> arguments;
-    for (std::string& word : words)
-        if (!word.empty()) arguments.push_back(word.data());
+    for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     std::string threads = "OMP_THREAD_LIMIT=1";  // the study's other processes need cores too
     std::vector<char*> surroundings;

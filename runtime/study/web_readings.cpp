@@ -25,6 +25,15 @@ bool same_place(const std::vector<WritingWays::Block>& one, const std::vector<Wr
     });
 }
 
+/// Whatever the scene and the command line said of it.
+RunSettings without_inscription(RunSettings run) {
+    run.removals.emplace_back("inscription");
+    std::erase_if(run.overrides, [](const std::string& text) {
+        return text.starts_with("inscription.") || text.starts_with("inscription=");
+    });
+    return run;
+}
+
 }  // namespace
 
 WebReadings::WebReadings(const RunSettings& run, const Reader& reader, const std::string& text, double blur,
@@ -38,10 +47,8 @@ std::vector<ReadingRow> WebReadings::of(const std::string& way, const WritingWay
     run.overrides.push_back(fmt::format("inscription.mode=\"{}\"", way));
     const std::vector<BlockPictures> pictures = pictures_of(run, written.blocks);
     if (!same_place(plain_blocks_, written.blocks)) {
-        RunSettings plain = run_;
-        plain.removals.push_back("inscription");
         plain_blocks_ = written.blocks;
-        plain_ = pictures_of(plain, plain_blocks_);
+        plain_ = pictures_of(without_inscription(run_), plain_blocks_);
     }
     const bool dark = written.contrast >= 1;
     const std::size_t blocks = written.blocks.size();

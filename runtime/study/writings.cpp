@@ -106,7 +106,9 @@ void read_all(const StudySettings& settings, const WritingWays& writing, const s
     for (const TradeRow& written : result.trade) {
         if (!written.setting.empty()) continue;
         if (deadline.passed())
-            return sentences.push_back(written.way + " and what follows it was not read for lack of time");
+            return sentences.push_back(
+                fmt::format("{} and what follows it was not read {}", written.way,
+                            deadline.interrupted() ? "when interrupted" : "for lack of time"));
         const auto rows = readings.of(written.way, written.outcome);
         result.readings.insert(result.readings.end(), rows.begin(), rows.end());
         sentences.push_back(reading_sentence(result, written.way));
