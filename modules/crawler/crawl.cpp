@@ -115,6 +115,7 @@ void Crawl::set_lengths(std::uint32_t body, double share, Scratch& scratch) noex
 
 void Crawl::before_step(std::span<const double> x, std::span<const double> v, double h) noexcept {
     start_x_.assign(x.begin(), x.end());
+    start_v_.assign(v.begin(), v.end());
     for_each_body([&](std::uint32_t body) { flex(body, x.data(), v.data(), h, scratch_[body]); });
     system_->rest_lengths_changed();
 }
@@ -180,13 +181,20 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t body, double* x, double*
             const Vec3 pressed = at(force, packing, i);
             const bool was_pressed = dot(pressed, pressed) > 0;
             if (!(touch.depth > (was_pressed || held > 0 ? -near : 0))) {
-                if (was_pressed) put({}, force, packing, i);
+                if (was_pressed) {
+                    const Vec3 moved = point.x - at(start_x_.data(), packing, i);
+                    const double normal_work = dot(pressed, touch.normal) * dot(touch.normal, moved);
+                    frame_[body].impact -= normal_work;
+                    frame_[body].friction -= dot(pressed, moved) - normal_work;
+                    put({}, force, packing, i);
+                }
                 continue;
             }
             point.mass = network_->mass[i];
             point.holds = held;
             point.v = at(v, packing, i);
             point.start = at(start_x_.data(), packing, i);
+            point.start_v = at(start_v_.data(), packing, i);
             point.pressed = h / point.mass * pressed;
             point.spine = spine_at(scratch.middles, ring, touch.normal);
             meet_point(touch, h, point, frame_[body]);
@@ -208,16 +216,20 @@ void Crawl::meet_point(const Touch& touch, double h, Point& point, Books& books)
     const Vec3 slid =
         slide(friction_, touch.grip * (pressing + point.holds), free, point.spine, cross(n, point.spine));
     const double lifted = std::max(0.0, touch.depth - kNear * build_.width);
+    // What all but the ground gave it into the ground; the rest of what is taken is its fall.
+    const double weighed = pressed - into + dot(point.start_v, n);
     // The reaction did work on the way; the impulse turned the rest. What lifts the point works against what
     // presses it down.
     books.friction -= point.mass * (dot(held, moved) / h + 0.5 * (dot(slid, slid) - dot(along, along)));
     books.impact -=
-        point.mass * (pressed * dot(n, moved) / h + 0.5 * (left * left - into * into) + pressing * lifted / h);
+        point.mass * (pressed * dot(n, moved) / h + 0.5 * (left * left - into * into) + weighed * lifted / h);
     books.slip += norm(across(moved, n));
     books.contact += h;
     point.x += lifted * n;
     point.v = slid + left * n;
-    point.pressed = pressing * n + slid - free;
+    // A fall ends here: the ground goes on to press as it does without.
+    const double lasting = pressing > 0 ? std::clamp(weighed / pressing, 0.0, 1.0) : 1;
+    point.pressed = lasting * (pressing * n + slid - free);
 }
 
 double Crawl::work() const noexcept {

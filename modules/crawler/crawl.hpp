@@ -82,6 +82,7 @@ private:
     struct Point {
         Vec3 x, v;         ///< m, m/s
         Vec3 start;        ///< m, before the step
+        Vec3 start_v;      ///< m/s
         Vec3 pressed;      ///< m/s, what the ground's reaction gave it during the step
         double mass = 0;   ///< kg
         double holds = 0;  ///< m/s, what it takes to tear it off
@@ -108,6 +109,7 @@ private:
     std::span<Vec3> reaction_;          // N, state
     std::vector<Vec3> start_reaction_;  // N, of the frame
     std::vector<double> start_x_;       // m, packed, of the step
+    std::vector<double> start_v_;       // m/s
     std::vector<Scratch> scratch_;
 };
 
