@@ -74,6 +74,7 @@ ORBWEAVER_INLINE Vec3Lanes laid_across(const Vec3Lanes& spine, const Vec3Lanes& 
 struct Landing {
     Vec3Lanes x, v;        ///< m, m/s
     Vec3Lanes start;       ///< m, before the step
+    Vec3Lanes start_v;     ///< m/s
     Vec3Lanes pressed;     ///< m/s, what the ground's reaction gave them during the step
     Vec3Lanes spine;       ///< along their body, of any length
     Lanes holds;           ///< m/s, what it takes to tear them off
@@ -94,7 +95,7 @@ struct LandingBooks {
     }
 };
 
-/// Those that `are_on` the ground are met by it.
+/// Those that `are_on` the ground are met by it; others were left by it during the step, if it pressed them.
 ORBWEAVER_INLINE void meet_ground(const Touches& touch, const LaneBits& are_on, const Friction& friction,
                                   double h, Landing& points, LandingBooks& books) noexcept {
     const Vec3Lanes n = touch.normal, moved = points.x - points.start;
@@ -108,18 +109,23 @@ ORBWEAVER_INLINE void meet_ground(const Touches& touch, const LaneBits& are_on, 
                                {are_on ? dot(free, spine) : Lanes{}, are_on ? dot(free, side) : Lanes{}});
     const Vec3Lanes slides = spine * slid.along + side * slid.across;
     const Lanes lifted = larger_of(touch.depth - points.allowance, Lanes{});
+    // What all but the ground gave them into the ground; the rest of what is taken is their fall, which ends
+    // here: the ground goes on to press as it does without.
+    const Lanes weighed = pressed - into + dot(points.start_v, n);
+    const Lanes share = pressing > Lanes{} ? weighed / pressing : in_all(1);
+    const Lanes lasting = larger_of(Lanes{}, share < 1 ? share : in_all(1));
     // The reaction did work on the way; the impulse turned the rest. What lifts a point works against what
     // presses it down.
-    const Lanes by_friction = dot(held, moved) / h + 0.5 * (dot(slides, slides) - dot(along, along));
-    const Lanes by_impact = pressed * on_way / h + 0.5 * (left * left - into * into) + pressing * lifted / h;
+    const Lanes by_friction = 0.5 * (dot(slides, slides) - dot(along, along));
+    const Lanes by_impact = 0.5 * (left * left - into * into) + weighed * lifted / h;
     const Vec3Lanes slip = moved - n * on_way;
-    books.friction -= are_on ? by_friction : Lanes{};
-    books.impact -= are_on ? by_impact : Lanes{};
+    books.friction -= dot(held, moved) / h + (are_on ? by_friction : Lanes{});
+    books.impact -= pressed * on_way / h + (are_on ? by_impact : Lanes{});
     books.slip += are_on ? mass_spring::sqrt(dot(slip, slip)) : Lanes{};
     books.contacts += are_on ? in_all(1) : Lanes{};
     points.x = either(are_on, points.x + n * lifted, points.x);
     points.v = either(are_on, slides + n * left, points.v);
-    points.pressed = either(are_on, n * pressing + slides - free, points.pressed);
+    points.pressed = either(are_on, (n * pressing + slides - free) * lasting, Vec3Lanes{});
 }
 
 }  // namespace orbweaver::crawler

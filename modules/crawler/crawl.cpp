@@ -12,7 +12,6 @@ namespace {
 /// Widths of the body around the ground's surface within which a point that it presses is on it: were every
 /// point put exactly there, springs would be strained anew in every step.
 constexpr double kNear = 1e-4;
-constexpr double kJerksACycle = 1000;  ///< of muscles, where steps are not longer
 
 Effort between(const Effort& a, const Effort& b, double share) noexcept {
     const auto mix = [share](double from, double to) { return from + share * (to - from); };
@@ -75,16 +74,12 @@ void Crawl::begin_frame(std::span<const Drive> drives, std::span<const Vec3> x, 
                         double seconds) {
     std::copy(drives.begin(), drives.end(), drives_.begin());
     seconds_ = seconds;
-    double cycles = 0;
-    for (const Drive& each : drives) cycles = std::max(cycles, std::abs(each.cycles[1] - each.cycles[0]));
-    jerks_ = std::max(1.0, std::ceil(kJerksACycle * cycles));
     std::copy(reaction_.begin(), reaction_.end(), start_reaction_.begin());
     if (auto* surface = std::get_if<SurfaceGround>(&ground_)) surface->look(x, v, seconds);
 }
 
 void Crawl::rewind() noexcept {
     elapsed_ = 0;
-    driven_until_ = 0;
     frame_ = {};
     for (Body& body : bodies_) body.frame = {};
     system_->packing().pack(start_reaction_, system_->hook_forces());
@@ -103,17 +98,15 @@ void Crawl::find_lengths(std::uint32_t number, double share) noexcept {
     for (std::size_t i = 0; i < body.rest.size(); ++i) next[system_->rest_place(first + i)] = body.rest[i];
 }
 
-// Muscles move in small jerks, each to the lengths of its end.
+// Springs get the lengths of the step's end.
 void Crawl::before_step(std::span<const double> x, std::span<const double> v, double h) noexcept {
     start_x_.assign(x.begin(), x.end());
-    const double rounding = 1e-6 * h;
-    if (elapsed_ + rounding < driven_until_) return;
-    const double from = driven_until_;
-    driven_until_ = std::min(seconds_, std::max(from + seconds_ / jerks_, elapsed_ + h));
-    for_each_body([&](std::uint32_t body) { find_lengths(body, driven_until_ / seconds_); });
+    start_v_.assign(v.begin(), v.end());
+    const double share = std::min(1.0, (elapsed_ + h) / seconds_);
+    for_each_body([&](std::uint32_t body) { find_lengths(body, share); });
     const mass_spring::DriveWork done = system_->drive(x, v, lag_ * h);
     frame_.muscles += done.work;
-    frame_.damping += (driven_until_ - from) * done.damping;
+    frame_.damping += h * done.damping;
 }
 
 void Crawl::after_step(std::span<double> x, std::span<double> v, double h) noexcept {
@@ -150,20 +143,18 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t number, std::span<double
             const Vec3Lanes place = four.get_vectors(x.data());
             const Touches touch = touch_all(ground, place, four);
             const LaneBits is_near = touch.depth > in_all(-near);
-            if (!is_any(is_near)) {
-                four.put_vectors(Vec3Lanes{}, reactions);
-                return;
-            }
+            const Vec3Lanes reaction = four.get_vectors(reactions);
+            const LaneBits was_pressed = dot(reaction, reaction) > Lanes{};
+            if (!is_any(is_near | was_pressed)) return;
             const double hold_one = holds(one, body), hold_other = holds(other, body);
             const Lanes hold{hold_one, hold_one, hold_other, hold_other};
-            const Vec3Lanes reaction = four.get_vectors(reactions);
-            const LaneBits was_on = (dot(reaction, reaction) > Lanes{}) | (hold > Lanes{});
-            LaneBits are_on = is_near & (was_on | (touch.depth > Lanes{}));
+            const LaneBits are_on = is_near & (was_pressed | (hold > Lanes{}) | (touch.depth > Lanes{}));
             const Vec3 spine = spine_at(body.middles, one), next = spine_at(body.middles, other);
             Landing points{place,
                            four.get_vectors(v.data()),
                            four.get_vectors(start_x_.data()),
-                           either(is_near, reaction, Vec3Lanes{}) * in_all(h / mass),
+                           four.get_vectors(start_v_.data()),
+                           reaction * in_all(h / mass),
                            Vec3Lanes{{spine.x, spine.x, next.x, next.x},
                                      {spine.y, spine.y, next.y, next.y},
                                      {spine.z, spine.z, next.z, next.z}},
@@ -207,7 +198,7 @@ void Crawl::keep() noexcept {
 
 std::size_t Crawl::memory_bytes() const noexcept {
     std::size_t bytes = drives_.capacity() * sizeof(Drive) + start_reaction_.capacity() * sizeof(Vec3) +
-                        start_x_.capacity() * sizeof(double);
+                        (start_x_.capacity() + start_v_.capacity()) * sizeof(double);
     for (const Body& body : bodies_)
         bytes += sizeof(Body) + body.flexes.capacity() * sizeof(Flex) +
                  (body.rest.capacity() + lattice_.rings()) * sizeof(double) +

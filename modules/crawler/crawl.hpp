@@ -90,11 +90,10 @@ private:
     std::span<Vec3> reaction_;          // N, state
     std::vector<Vec3> start_reaction_;  // N, of the frame
     std::vector<double> start_x_;       // m, packed, of the step
+    std::vector<double> start_v_;       // m/s, likewise
     std::vector<Drive> drives_;
-    double seconds_ = 1;       // of the frame
-    double elapsed_ = 0;       // s, of it
-    double jerks_ = 1;         // of muscles in it
-    double driven_until_ = 0;  // s, of the frame, for which lengths are set
+    double seconds_ = 1;  // of the frame
+    double elapsed_ = 0;  // s, of it
     Books frame_, kept_;
     std::vector<Body> bodies_;
 };

@@ -156,7 +156,7 @@ private:
 
     /// Well within what the springs alone allow: near that limit, points that touch the ground shake on it.
     void choose_step() {
-        constexpr double kShare = 2.0 / 3;
+        constexpr double kShare = 0.6;
         const double stable = advise(*system_, position_, *crawler_.settings.method).stable_step;
         if (stable > 0 && std::isfinite(stable)) crawler_.settings.step = kShare * stable;
     }

@@ -38,7 +38,8 @@ ORBWEAVER_INLINE Lanes end_speed(const Sliding& v, const Lanes& a, const Lanes& 
     constexpr double kLeast = 1e-12;  // of the speed, which r is never below
     const Lanes va = v.along * v.along, vb = v.across * v.across;
     const Lanes square = va + vb + 1e-300, speed = mass_spring::sqrt(square);
-    const Lanes least = larger_of(kLeast * speed, speed - larger_of(a, b));
+    const Lanes least = larger_of(larger_of(kLeast * speed, speed - larger_of(a, b)),
+                                  larger_of(absolute(v.along) - a, absolute(v.across) - b));
     Lanes r = larger_of(least, speed - (a * va + b * vb) / square);
     bool goes_on = is_any(~rests);
     for (int i = 0; i < kMost && goes_on; ++i) {

@@ -80,12 +80,12 @@ double volume(const Lattice& lattice, std::span<const Vec3> points) noexcept {
     const Vec3 origin = points[0];  // near by, so that differences are exact enough
     const auto at = [&](std::size_t i) { return points[i] - origin; };
     double sixfold =
-        wedge(at(3), at(2), at(1), at(0)) + wedge(at(last), at(last + 1), at(last + 2), at(last + 3));
+        wedge(at(0), at(1), at(2), at(3)) + wedge(at(last + 3), at(last + 2), at(last + 1), at(last));
     for (std::uint32_t segment = 0; segment < lattice.segments; ++segment)
         for (std::uint32_t j = 0; j < kCorners; ++j) {
             const std::size_t a = std::size_t{kCorners} * segment + j;
             const std::size_t b = std::size_t{kCorners} * segment + (j + 1) % kCorners;
-            sixfold += wedge(at(a), at(b), at(b + kCorners), at(a + kCorners));
+            sixfold += wedge(at(a), at(a + kCorners), at(b + kCorners), at(b));
         }
     return sixfold / 6;
 }
