@@ -108,7 +108,7 @@ struct Look {
 };
 
 double snake_thickness(double s) noexcept {
-    return 0.12 + 0.88 * smooth(0, 0.4, s) - 0.32 * smooth(0.82, 0.92, s) + 0.22 * smooth(0.92, 0.97, s) -
+    return 0.22 + 0.78 * smooth(0, 0.35, s) - 0.32 * smooth(0.82, 0.92, s) + 0.22 * smooth(0.92, 0.97, s) -
            0.25 * smooth(0.97, 1, s);
 }
 double worm_thickness(double s) noexcept {
