@@ -141,7 +141,7 @@ TEST_CASE("a slow wave of strain takes a worm along as far as its friction is on
         const Setup setup = worm(0.1, forward, backward);
         Run run(setup);
         const double expected = wave_speed(setup) * std::cos(std::numbers::pi * forward / (forward + backward));
-        // 0.1 % off were found: rings are 20 to a wave, and where the sign changes is between them.
+        // 0.4 % less were found at most: there is one ring more than a wave has.
         CHECK(mean_speed(run, setup, 2, 1) == Approx(expected).epsilon(0.01));
         CHECK(std::abs(run.center().z) < 1e-6 * setup.build.length);  // straight on
     }
@@ -163,9 +163,10 @@ TEST_CASE("a worm with its wave the other way round crawls the other way", "[uni
 }
 
 // Miller's clamp takes what slides backward its velocity and nothing else: momentum goes in and never out.
-// Under slow sine waves that ends at c e or so, where nothing slides backward any more, which is what Coulomb's
-// friction comes near as backward friction grows (0.96 of it at 1 : 10). Whatever jerks goes on: with square
-// waves, the worm was at 10 c e after one cycle and at 15 c e after eleven.
+// Under slow sine waves that ends near c e, where nothing slides backward any more, which is what Coulomb's
+// friction comes near as backward friction grows (0.96 of it at 1 : 10): 1.057 c e were found. Whatever jerks
+// goes beyond: with square waves, the worm was at 10 c e in the second cycle and at 14.9 in the twelfth,
+// gaining still.
 TEST_CASE("a one-way clamp alone lets a worm pump itself up to the speed of its wave, and jerks beyond",
           "[unit]") {
     Setup setup = worm(0.1, 0, 0);
@@ -178,8 +179,14 @@ TEST_CASE("a one-way clamp alone lets a worm pump itself up to the speed of its 
     CHECK(reached < 1.1);
     setup.form = WaveForm::square;
     Run square(setup);
-    CHECK(mean_speed(square, setup, 0, 1) / wave_speed(setup) > 5);
-    CHECK(mean_speed(square, setup, 4, 1) / wave_speed(setup) > 10);
+    double before = 0;
+    for (int period = 0; period < repetitions(10); ++period) {
+        const double now = mean_speed(square, setup, 0, 1) / wave_speed(setup);
+        INFO("after " << period << " periods: " << now << " after " << before);
+        CHECK(now > before);
+        if (period == 5) CHECK(now > 10);
+        before = now;
+    }
 }
 
 TEST_CASE("what muscles do is in friction, impacts, damping and energy: a worm's books", "[unit]") {
@@ -220,7 +227,7 @@ TEST_CASE("the planar snake goes as fast as Hu and Shelley say, and never faster
     const auto speed = [](double sideways) {
         PlanarSnake::Ways ways;
         ways.sideways = sideways;
-        ways.pieces = 50;
+        ways.pieces = 40;
         ways.steps = sideways > 20 ? 5000 : 500;
         return PlanarSnake(ways).speed(3, 1);
     };
@@ -242,7 +249,7 @@ TEST_CASE("a snake of springs winds its way as fast as one that is a curve", "[u
         setup.make_springs(0.5, 3.5, 1e-3);
         Run run(setup);
         const Gain gain = second_period(run, setup);
-        // Found: 0.162 and 0.515; in the third period 0.160 and 0.519.
+        // Found: 0.164 and 0.522.
         CHECK(gain.lengths == Approx(published[i][1]).epsilon(0.05));
         CHECK(gain.lengths < gain.chord);
     }
@@ -257,7 +264,7 @@ TEST_CASE("stiff springs under implicit Euler wind as fast, below the speed of a
     setup.step = 5e-4;
     Run run(setup);
     const double lengths = second_period(run, setup).lengths;
-    // Found: 0.166, 0.528 and 0.700.
+    // Found: 0.167, 0.533 and 0.702.
     if (sideways == 2) CHECK(lengths == Approx(0.159).epsilon(0.1));
     if (sideways == 10) CHECK(lengths == Approx(0.520).epsilon(0.1));
     if (sideways == 100) CHECK(lengths < 0.713);
@@ -282,7 +289,7 @@ TEST_CASE("a frame run again from where it began ends in the same bits, and is b
     run.begin();
     const Books before = run.books();
     mass_spring::Integrator integrator(run.system, *mass_spring::find_method("symplectic_euler"));
-    std::vector<Vec3> x, v, reaction;
+    std::vector<Vec3> x, v;
     double work = 0;
     for (const int steps : {50, 13, 50}) {  // the second one another way, as error estimates do
         run.x = x0, run.v = v0;
@@ -306,6 +313,11 @@ TEST_CASE("a frame run again from where it began ends in the same bits, and is b
                          (after.impact - before.impact))
                       .epsilon(1e-6));
     CHECK_FALSE(same_bits(run.reaction, reaction0));
+    // Once more, from where it began and not from where it ended.
+    run.x = x0, run.v = v0;
+    run.system.begin_frame({});
+    integrator.advance(run.x, run.v, setup.frame / 50, 50);
+    CHECK(same_bits(run.x, x));
 }
 
 TEST_CASE("a run that goes on from a saved state ends in the same bits", "[unit]") {

@@ -88,6 +88,27 @@ TEST_CASE("what the impulse can stop rests, and nothing else does", "[unit]") {
     }
 }
 
+TEST_CASE("four velocities slide each as it would alone, whatever the others need", "[unit]") {
+    const RandomStream random(5, "lanes");
+    const Friction f = coulomb(0.1, 1, 0.3);
+    std::uint64_t n = 0;
+    for (int round = 0; round < 2000; ++round) {
+        Lanes pressing, along, across;
+        for (int i = 0; i < 4; ++i) {
+            pressing[i] = i == 0 ? 0 : std::pow(10, random.uniform(n++, -4, 2));  // resting, sliding, free
+            along[i] = random.uniform(n++, -1, 1);
+            across[i] = i == 3 && round % 2 == 0 ? 0 : random.uniform(n++, -1, 1);
+        }
+        const Sliding all = crawler::slide(f, pressing, {along, across});
+        for (int i = 0; i < 4; ++i) {
+            const Sliding alone = crawler::slide(f, in_all(pressing[i]), {in_all(along[i]), in_all(across[i])});
+            // Others may have the root found better than it needs.
+            CHECK(all.along[i] == Approx(alone.along[i]).epsilon(1e-9));
+            CHECK(all.across[i] == Approx(alone.across[i]).epsilon(1e-9));
+        }
+    }
+}
+
 TEST_CASE("what slides ends as friction in its last direction has it", "[unit]") {
     const Axes axes;
     int slid = 0;

@@ -129,8 +129,8 @@ TEST_CASE("a square wave is the sign of the sine wave, nowhere zero", "[unit]") 
 
 TEST_CASE("a cycle later muscles are told the same, to the bit", "[unit]") {
     for (const Gait& gait : gaits())
-        for (const double share : {0.0, 0.25, 0.40625, 0.875})  // that thousands of cycles do not round
-            for (const double cycles : {1.0, 3.0, 100000.0, -4.0}) {
+        for (const double share : {0.0, 0.25, 0.40625, 0.875})  // that so many cycles do not round
+            for (const double cycles : {1.0, 3.0, 1073741824.0, -4.0}) {
                 const auto now = flexes(gait.name, 1.4, 13, share);
                 const auto then = flexes(gait.name, 1.4, 13, share + cycles);
                 for (std::size_t i = 0; i < 13; ++i) {

@@ -106,6 +106,17 @@ TEST_CASE("a segment that bends both ways at once is as long as both bends make 
     CHECK(misfit(std::span(rest).subspan(lattice.segment_spring(0, 1), 12), points) < 0.008 * 0.01 / 8);
 }
 
+TEST_CASE("a bend between a wide ring and a narrow one is that of both", "[unit]") {
+    const Build build = sample_build(3);
+    const Lattice lattice{1, 3};
+    std::vector<Flex> flexes(3, {0, 5, 0});  // 0.05 a segment
+    flexes[0].strain = 0.3, flexes[2].strain = -0.3;
+    const double a = 0.008 / std::sqrt(1.15), b = 0.008 / std::sqrt(0.85);
+    const auto rest = lengths(build, flexes);
+    CHECK(misfit(std::span(rest).subspan(lattice.segment_spring(0, 1), 12),
+                 two_rings(a, b, 0.01, kUpwards, 0.05)) < b * 0.05 * 0.05 / 8);
+}
+
 TEST_CASE("a body bent to the left is longer on its right, and one bent upwards below", "[unit]") {
     const Build build = sample_build(4);
     const Lattice lattice{1, 4};
