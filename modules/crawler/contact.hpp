@@ -102,7 +102,9 @@ ORBWEAVER_INLINE void meet_ground(const Touches& touch, const LaneBits& are_on, 
     const Vec3Lanes spine = laid_across(points.spine, n), side = crossed(n, spine);
     const Lanes into = dot(points.v, n), pressed = dot(points.pressed, n), on_way = dot(moved, n);
     const Vec3Lanes along = points.v - n * into, held = points.pressed - n * pressed;
-    const Lanes pressing = larger_of(-points.holds, pressed - into);
+    // What is within the reach of its feet alone is held, but not pushed.
+    const Lanes asked = larger_of(-points.holds, pressed - into);
+    const Lanes pressing = (asked > Lanes{}) & (touch.depth <= in_all(-points.allowance)) ? Lanes{} : asked;
     const Lanes left = into + pressing - pressed;
     const Vec3Lanes free = along - held;  // without friction
     const Sliding slid = slide(friction, touch.grip * (pressing + points.holds),

@@ -12,6 +12,8 @@ namespace {
 /// Widths of the body around the ground's surface within which a point that it presses is on it: were every
 /// point put exactly there, springs would be strained anew in every step.
 constexpr double kNear = 1e-4;
+/// Likewise, how far feet reach that hold on to the ground.
+constexpr double kReach = 0.05;
 
 Effort between(const Effort& a, const Effort& b, double share) noexcept {
     const auto mix = [share](double from, double to) { return from + share * (to - from); };
@@ -70,6 +72,12 @@ void Crawl::for_each_body(const F& f) noexcept {
         range(0, lattice_.bodies);
 }
 
+void Crawl::lay_down(std::span<const Vec3> x) {
+    const auto& springs = system_->network().springs;
+    laid_.resize(springs.size());
+    for (std::size_t i = 0; i < springs.size(); ++i) laid_[i] = distance(x[springs[i].a], x[springs[i].b]);
+}
+
 void Crawl::begin_frame(std::span<const Drive> drives, std::span<const Vec3> x, std::span<const Vec3> v,
                         double seconds) {
     std::copy(drives.begin(), drives.end(), drives_.begin());
@@ -94,6 +102,10 @@ void Crawl::find_lengths(std::uint32_t number, double share) noexcept {
                 between(drive.effort[0], drive.effort[1], share), body.flexes);
     body.muscles.lengths(body.flexes, body.rest);
     const std::size_t first = lattice_.ring_spring(number, 0);
+    const double ease = std::lerp(drive.ease[0], drive.ease[1], share);
+    if (ease < 1)
+        for (std::size_t i = 0; i < body.rest.size(); ++i)
+            body.rest[i] = std::lerp(laid_[first + i], body.rest[i], ease);
     double* next = system_->next_rest_lengths().data();
     for (std::size_t i = 0; i < body.rest.size(); ++i) next[system_->rest_place(first + i)] = body.rest[i];
 }
@@ -133,7 +145,7 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t number, std::span<double
         const Vec3Lanes at = mass_spring::load(x.data() + first + std::size_t{kCorners} * ring, plane);
         body.middles[ring] = 0.25 * Vec3{sum(at.x), sum(at.y), sum(at.z)};
     }
-    const double near = kNear * build_.width, mass = build_.point_mass();
+    const double near = kNear * build_.width, reach = kReach * build_.width, mass = build_.point_mass();
     double* const reactions = system_->hook_forces().data();
     LandingBooks books;
     run_wide([&]() ORBWEAVER_ALWAYS_INLINE {
@@ -142,12 +154,12 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t number, std::span<double
             const Four four{plane, first + kCorners * one + corner, first + kCorners * other + corner};
             const Vec3Lanes place = four.get_vectors(x.data());
             const Touches touch = touch_all(ground, place, four);
-            const LaneBits is_near = touch.depth > in_all(-near);
             const Vec3Lanes reaction = four.get_vectors(reactions);
             const LaneBits was_pressed = dot(reaction, reaction) > Lanes{};
-            if (!is_any(is_near | was_pressed)) return;
+            if (!is_any((touch.depth > in_all(-reach)) | was_pressed)) return;
             const double hold_one = holds(one, body), hold_other = holds(other, body);
             const Lanes hold{hold_one, hold_one, hold_other, hold_other};
+            const LaneBits is_near = touch.depth > (hold > Lanes{} ? in_all(-reach) : in_all(-near));
             const LaneBits are_on = is_near & (was_pressed | (hold > Lanes{}) | (touch.depth > Lanes{}));
             const Vec3 spine = spine_at(body.middles, one), next = spine_at(body.middles, other);
             Landing points{place,
@@ -198,7 +210,7 @@ void Crawl::keep() noexcept {
 
 std::size_t Crawl::memory_bytes() const noexcept {
     std::size_t bytes = drives_.capacity() * sizeof(Drive) + start_reaction_.capacity() * sizeof(Vec3) +
-                        (start_x_.capacity() + start_v_.capacity()) * sizeof(double);
+                        (start_x_.capacity() + start_v_.capacity() + laid_.capacity()) * sizeof(double);
     for (const Body& body : bodies_)
         bytes += sizeof(Body) + body.flexes.capacity() * sizeof(Flex) +
                  (body.rest.capacity() + lattice_.rings()) * sizeof(double) +

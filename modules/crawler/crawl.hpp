@@ -19,6 +19,9 @@ namespace orbweaver::crawler {
 struct Drive {
     std::array<double, 2> cycles{};  ///< of the gait, since the start
     std::array<Effort, 2> effort{};
+    /// How far springs are of the lengths that muscles ask for, and no more of those that they had as the body
+    /// was laid down.
+    std::array<double, 2> ease{1, 1};
 };
 
 /// J, over a frame or a run of all bodies, and what goes with them.
@@ -45,6 +48,8 @@ public:
     Crawl(mass_spring::SpringSystem& system, const Lattice& lattice, const Build& build, const Waves& waves,
           const Friction& friction, Ground ground, std::span<Vec3> reaction, double lag, Workers* workers);
 
+    /// Bodies were laid down at x (m), where springs then hold nothing if drives say so.
+    void lay_down(std::span<const Vec3> x);
     /// A frame of so many seconds begins at x (m), v (m/s); one drive for each body.
     void begin_frame(std::span<const Drive> drives, std::span<const Vec3> x, std::span<const Vec3> v,
                      double seconds);
@@ -92,8 +97,9 @@ private:
     std::vector<double> start_x_;       // m, packed, of the step
     std::vector<double> start_v_;       // m/s, likewise
     std::vector<Drive> drives_;
-    double seconds_ = 1;  // of the frame
-    double elapsed_ = 0;  // s, of it
+    std::vector<double> laid_;  // m, springs' lengths as bodies were laid down; empty: as muscles ask for
+    double seconds_ = 1;        // of the frame
+    double elapsed_ = 0;        // s, of it
     Books frame_, kept_;
     std::vector<Body> bodies_;
 };

@@ -136,6 +136,8 @@ private:
         centers_.resize(lattice_.bodies);
         center_velocities_.resize(lattice_.bodies);
         rest_volume_ = volume(lattice_, body_points(0));
+        crawl_->lay_down(position_);
+        for (Drive& drive : drives_) drive.ease = {0, 0};
         crawl_->begin_frame(drives_, position_, velocity_, frame_step_);
         crawl_->rewind();
         for (std::uint32_t body = 0; body < lattice_.bodies; ++body) {
@@ -216,14 +218,21 @@ private:
         Drive& drive = drives_[body];
         drive.cycles[0] = pilot.cycles;
         drive.effort[0] = effort_at(frame.time, pilot.turn);
+        drive.ease = {ease_at(frame.time), ease_at(frame.time + frame.step)};
         pilot.cycles += command.pace * frame.step / crawler_.period;
         pilot.turn += share * (command.turn - pilot.turn);
         drive.cycles[1] = pilot.cycles;
         drive.effort[1] = effort_at(frame.time + frame.step, pilot.turn);
     }
 
+    /// Muscles set in over the first period.
+    double ease_at(double time) const noexcept {
+        const double begun = std::min(1.0, time / crawler_.period);
+        return begun * begun * (3 - 2 * begun);
+    }
+
     Effort effort_at(double time, double turn) const noexcept {
-        const double begun = std::min(1.0, time / crawler_.period), ease = begun * begun * (3 - 2 * begun);
+        const double ease = ease_at(time);
         const Effort& full = crawler_.effort;
         return {ease * full.strain, ease * full.bend, ease * full.lift, turn * full.turn};
     }

@@ -141,7 +141,7 @@ private:
         const SurfaceHit hit = surface_->closest_point(at.middle, kForever);
         if (hit.answer != Answer::found) return false;
         const Vec3 normal = surface_->normal(hit.at.face);
-        const SurfaceStep start = surface_->place(hit.at, normal, at.forward);
+        const SurfaceStep start = surface_->place(hit.at, normal, options_.vector("heading"));
         if (start.answer != Answer::found) return false;
         const std::uint32_t half = crawler_.build.segments / 2;
         Footing back = start.end;
