@@ -8,6 +8,7 @@
 #include "program.hpp"
 #include "run/snapshot.hpp"
 #include "shipped_scenes.hpp"
+#include "written_otherwise.hpp"
 
 using namespace orbweaver;
 
@@ -40,18 +41,6 @@ Written written_in(const OpenScene& scene) {
     }
     FAIL("nothing writes in this scene");
     return {};
-}
-
-/// SOME PIG's scene with other lines in place of its text.
-std::string written_otherwise(const Folder& folder, const std::string& lines) {
-    std::ifstream file(scene_path("some_pig"));
-    std::string scene{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    const std::string text = "text = \"SOME PIG\"";
-    scene.replace(scene.find(text), text.size(), lines);
-    const std::string path = folder.write("scene.toml", scene);
-    const std::string bake = std::string(ORBWEAVER_ASSETS_PROGRAM) + " bake '" + path + "' > /dev/null 2>&1";
-    REQUIRE(std::system(bake.c_str()) == 0);
-    return path;
 }
 
 }  // namespace
