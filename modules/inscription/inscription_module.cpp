@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
+#include <initializer_list>
 #include <optional>
+#include <sstream>
 
 #include "manifest_text.hpp"
 #include "orbweaver/entry.hpp"
@@ -18,22 +19,27 @@ namespace orbweaver::inscription {
 
 namespace {
 
+/// What was seen of a web while it moved: state.
+struct Looks {
+    std::span<std::uint64_t> count;  ///< one number
+    std::span<double> iou;           ///< sum and least
+
+    void add(double seen) {
+        iou[1] = count[0] == 0 ? seen : std::min(iou[1], seen);
+        iou[0] += seen;
+        ++count[0];
+    }
+    double mean() const { return iou[0] / static_cast<double>(count[0]); }
+};
+
 /// A web that was written in, as it moves.
 struct WrittenWeb {
     const Threads& threads;
     Inscription inscription;
-    std::size_t watched = 0;
-    double iou_sum = 0;  ///< over the looks
-    double iou_least = std::numeric_limits<double>::infinity();
+    std::optional<Looks> looks;  ///< only if asked for
 
     double iou_now() const {
         return measure_legibility(threads.points(), threads.segments(), inscription.lettering).iou;
-    }
-    void watch() {
-        const double iou = iou_now();
-        ++watched;
-        iou_sum += iou;
-        iou_least = std::min(iou_least, iou);
     }
 };
 
@@ -47,12 +53,21 @@ ModeSettings settings_of(const Options& options) {
     return settings;
 }
 
+/// Lines of a text that have something in them.
+std::size_t lines_of(const std::string& text) {
+    std::istringstream all(text);
+    std::size_t count = 0;
+    for (std::string line; std::getline(all, line);)
+        if (line.find_first_not_of(' ') != std::string::npos) ++count;
+    return count;
+}
+
 WhereToWrite place_of(const Options& options, const std::string& text) {
     WhereToWrite where;
     if (options.has("position"))
         where.position = {options.numbers("position")[0], options.numbers("position")[1]};
     if (options.has("size")) where.size = options.number("size");
-    where.lines += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    where.lines = std::max(where.lines, lines_of(text));
     where.side = static_cast<std::uint32_t>(options.integer("resolution"));
     where.blur = options.number("blur");
     return where;
@@ -64,11 +79,13 @@ WhereToWrite place_of(const Options& options, const std::string& text) {
 class InscriptionModule final : public Module, public Inscriber {
 public:
     void attach(Host& host) override {
+        host_ = &host;
         const Options& options = host.options();
+        source_ = options.has("target") ? "target" : options.has("text") ? "text" : "gaps";
+        for (Diagnostic& fault : idle_options(options)) host.report_fault(std::move(fault));
         try {
-            const TargetRecipe recipe = target_recipe(options);
-            const std::string text = recipe.text.value_or("");
-            file_.emplace(open_target(recipe));
+            file_.emplace(open_target(target_recipe(options)));
+            const std::string text = words_in(recipe_in(*file_)).value_or("");
             scribe_.emplace(Scribe{find_mode(options.text("mode")),
                                    target_in(*file_),
                                    place_of(options, text),
@@ -77,8 +94,7 @@ public:
                                    {}});
             study_.emplace(*scribe_, text);
         } catch (const Fault& fault) {
-            const char* source = options.has("target") ? "target" : (options.has("text") ? "text" : "mode");
-            host.report_fault({options.where(source), fault.what(), "", ""});
+            host.report_fault({where({source_}), fault.what(), "", ""});
             return;
         }
         if (options.has("watch")) watch_ = options.number("watch");
@@ -89,18 +105,30 @@ public:
         host.provide<WritingWays>(*study_);
     }
 
+    /// A web that finds nobody who writes in it is no orb web.
+    void meet(Host& host) override {
+        if (asked_ == 0)
+            host.report_fault({where({source_}), "the scene has no orb web to write in",
+                               "a table [web] with anchors, or with a species such as araneus_cavaticus",
+                               "or leave [inscription] out"});
+    }
+
+    /// What cannot be written is the scene's fault in [inscription], not in the web's own table.
     void inscribe(WebDraft& draft, const Threads& threads) override {
-        const auto start = std::chrono::steady_clock::now();
-        webs_.push_back({threads, scribe_->write(draft)});
-        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        if (is_studied_ && !study_->has_web()) study_->write_in(draft);
+        ++asked_;
+        try {
+            write(draft, threads);
+        } catch (const Fault& fault) {
+            if (fault.kind() != FaultKind::invalid) throw;
+            host_->report_fault({where({"size", "position", source_}), fault.what(), "", ""});
+        }
     }
 
     bool keeps_draft() const noexcept override { return is_studied_; }
 
     void run(Phase, const Frame& frame) override {
         if (!(watch_ > 0) || !is_due(frame)) return;
-        for (WrittenWeb& each : webs_) each.watch();
+        for (WrittenWeb& each : webs_) each.looks->add(each.iou_now());
     }
 
     void report(ModuleReport& report) override {
@@ -122,6 +150,40 @@ public:
     }
 
 private:
+    void write(WebDraft& draft, const Threads& threads) {
+        const auto start = std::chrono::steady_clock::now();
+        webs_.push_back({threads, scribe_->write(draft), {}});
+        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        if (is_studied_ && !study_->has_web()) study_->write_in(draft);
+        if (watch_ > 0) webs_.back().looks = make_looks();
+        warn_of_cut(webs_.back().inscription.lettering);
+    }
+
+    Looks make_looks() const {
+        const std::size_t number = webs_.size();
+        return {host_->state().words(fmt::format("looks_{}", number), 1,
+                                     {"1", "times that legibility was measured", false}),
+                host_->state().scalars(fmt::format("iou_swaying_{}", number), 2,
+                                       {"1", "agreement, summed over these times, and the least", false})};
+    }
+
+    void warn_of_cut(const Lettering& lettering) const {
+        if (lettering.cut_share() < kCutShare) return;
+        host_->log(
+            LogLevel::warning,
+            fmt::format("{:.0f} % of what is to be written lies beside the web's page and is cut; give another "
+                        "'position' or 'size'",
+                        100 * lettering.cut_share()));
+    }
+
+    /// Of the first of some options that the scene gives; else of the table.
+    Location where(std::initializer_list<const char*> keys) const {
+        const Options& options = host_->options();
+        for (const char* key : keys)
+            if (options.given(key)) return options.where(key);
+        return options.where(source_);
+    }
+
     /// Whether this frame is the first to end at or beyond another multiple of the time between looks.
     bool is_due(const Frame& frame) const {
         const auto looks = [&](double time) { return std::floor(time / watch_ + 1e-9); };
@@ -153,9 +215,10 @@ private:
         report.measure("ssim_plain", plain.ssim);
         report.measure("contrast", contrast);
         report.measure("contrast_plain", plain.contrast);
-        if (web.watched == 0) return;
-        report.measure("iou_swaying_mean", web.iou_sum / static_cast<double>(web.watched));
-        report.measure("iou_swaying_least", web.iou_least);
+        report.measure("cut_share", web.inscription.lettering.cut_share());
+        if (!web.looks || web.looks->count[0] == 0) return;
+        report.measure("iou_swaying_mean", web.looks->mean());
+        report.measure("iou_swaying_least", web.looks->iou[1]);
     }
 
     static void report_cost(const Inscription& web, ModuleReport& report) {
@@ -173,9 +236,14 @@ private:
         report.measure("spacing_distance", cost.spacing_distance);
     }
 
+    static constexpr double kCutShare = 0.01;  // less than that is no letter's part
+
+    Host* host_ = nullptr;
+    const char* source_ = "";  // option that says what is inscribed
     std::optional<BakedFile> file_;
     std::optional<Scribe> scribe_;  // of a target in file_
     double watch_ = 0;              // s between looks; 0: none
+    std::size_t asked_ = 0;         // by webs
     std::vector<WrittenWeb> webs_;
     double seconds_ = 0;  // s that writing took
     bool is_studied_ = false;

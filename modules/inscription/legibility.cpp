@@ -96,6 +96,11 @@ double ssim_sum(const Shades& a, const Shades& b, double window) {
 
 }  // namespace
 
+double Lettering::cut_share() const {
+    const auto dark = static_cast<double>(std::count(coverage.values.begin(), coverage.values.end(), 1));
+    return cut > 0 ? cut / (cut + dark) : 0;
+}
+
 Legibility measure_legibility(std::span<const Vec3> points, std::span<const ThreadSegment> segments,
                               const Lettering& lettering) {
     const double blur = lettering.blur / lettering.page.pixel;
@@ -119,7 +124,7 @@ Legibility measure_legibility(std::span<const Vec3> points, std::span<const Thre
         account.pixels += static_cast<double>(picture.values.size());
     }
     if (account.pixels == 0) return {};
-    const double either = static_cast<double>(account.either);
+    const double either = static_cast<double>(account.either) + lettering.cut;
     return {either > 0 ? static_cast<double>(account.both) / either : 0, account.ssim / account.pixels,
             account.contrast()};
 }

@@ -23,14 +23,18 @@ struct Lettering {
     Bitmap coverage;
     std::vector<Box> blocks;  ///< of what is dark, one or two
     double blur = 0;          ///< m, standard deviation of the Gaussian through which a distant viewer sees
+    double cut = 0;           ///< pixels that are dark in the target and lie beside the page
+
+    /// Of all that is dark in the target.
+    double cut_share() const;
 };
 
 /// Measures within the blocks, grown by the blur to each side.
 ///
 /// The picture is the web's ink, blurred; where its contrast is below 1, its negative. For `iou` it is parted
-/// in two by Otsu's threshold, block by block. For `ssim` the picture and the coverage, blurred as well, are
-/// each stretched from 0 to 1 in a block; windows are Gaussians of the blur's width, with the usual constants
-/// 0.01^2 and 0.03^2.
+/// in two by Otsu's threshold, block by block, and what is cut counts as dark in the target alone. For `ssim`
+/// the picture and the coverage, blurred as well, are each stretched from 0 to 1 in a block; windows are
+/// Gaussians of the blur's width, with the usual constants 0.01^2 and 0.03^2.
 Legibility measure_legibility(std::span<const Vec3> points, std::span<const ThreadSegment> segments,
                               const Lettering& lettering);
 

@@ -116,6 +116,7 @@ Lettering lay_on(const WebAtRest& web, const Target& target, const WhereToWrite&
     }
     lettering.coverage = place(target, placed, page.side);
     for (const Placement& each : placed) {
+        lettering.cut += dark_beside(target, each, page.side);
         const Box block = dark_box(lettering.coverage.values, page.side, box_of(each, page.side));
         if (!block.empty()) lettering.blocks.push_back(block);
     }

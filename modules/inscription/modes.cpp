@@ -8,7 +8,7 @@ namespace orbweaver::inscription {
 namespace {
 
 constexpr std::array kModes = {
-    Mode{"legible", "silk is thickened, added and taken where that serves legibility most", write_legibly},
+    Mode{"legible", "silk is thickened and added where that serves legibility most", write_legibly},
     Mode{"removal", "the thesis: spiral segments that match the target are taken", remove_matches},
     Mode{"crosshatch", "the thesis: masses are joined to two more along the spiral where that matches",
          crosshatch},

@@ -153,6 +153,22 @@ Bitmap place(const Target& target, const std::vector<Placement>& placements, std
     return page;
 }
 
+double dark_beside(const Target& target, const Placement& placed, std::uint32_t side) {
+    const Box& block = placed.block;
+    const auto is_beside = [&](double from_middle, double middle) {
+        const double at = middle + placed.scale * from_middle;
+        return at < 0 || at >= side;
+    };
+    double beside = 0;
+    for (std::uint32_t y = block.top; y < block.bottom; ++y)
+        for (std::uint32_t x = block.left; x < block.right; ++x)
+            if (target.coverage[target.index(x, y)] != 0 &&
+                (is_beside(x + 0.5 - 0.5 * (block.left + block.right), placed.middle.x) ||
+                 is_beside(y + 0.5 - 0.5 * (block.top + block.bottom), placed.middle.y)))
+                beside += placed.scale * placed.scale;
+    return beside;
+}
+
 std::vector<Box> blocks_of(const Target& target, std::size_t lines) {
     const std::vector<Band> bands = dark_bands(target);
     if (bands.empty()) return {};

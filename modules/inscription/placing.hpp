@@ -27,6 +27,9 @@ Bitmap place(const Target& target, const std::vector<Placement>& placements, std
 /// Where that block lies on a page, cut at its edges.
 Box box_of(const Placement& placed, std::uint32_t side);
 
+/// Pixels of the page that what is dark in the target would take beside the page, there where it is placed.
+double dark_beside(const Target& target, const Placement& placed, std::uint32_t side);
+
 /// The blocks of `lines` lines of text, as close as what is dark in them: the upper half of the lines (the
 /// larger half), and the others. One block where there is one line, or where no blank rows part them.
 std::vector<Box> blocks_of(const Target& target, std::size_t lines);

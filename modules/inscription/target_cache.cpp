@@ -21,7 +21,7 @@ ContentHash key_of(const TargetRecipe& recipe) {
 /// For sentences.
 std::string name_of(const TargetRecipe& recipe) {
     if (recipe.picture) return *recipe.picture;
-    return recipe.text ? "the text '" + *recipe.text + "'" : "a target of random gaps";
+    return recipe.text ? "the text '" + one_line(*recipe.text) + "'" : "a target of random gaps";
 }
 
 /// What was baked by this recipe, if it is there. Throws DamagedCache where it cannot be used.

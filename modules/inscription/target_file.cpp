@@ -30,6 +30,10 @@ const Record& record_in(const BakedFile& file) {
     return records[0];
 }
 
+bool is_blank(std::span<const std::uint8_t> pixels) {
+    return std::find(pixels.begin(), pixels.end(), 1) == pixels.end();
+}
+
 bool in_range(std::uint32_t side) { return side >= kSmallestSide && side <= kLargestSide; }
 
 std::span<const std::uint8_t> pixels(const BakedFile& file, const char* name, std::size_t expected) {
@@ -47,6 +51,11 @@ std::span<const std::uint8_t> pixels(const BakedFile& file, const char* name, st
 
 void write_target(const std::string& path, const Bitmap& coverage, const ContentHash& source,
                   const std::string& recipe) {
+    if (is_blank(coverage.values))
+        throw Fault(FaultKind::invalid,
+                    path +
+                        ": nothing in it would be dark; expected something to be inscribed, so "
+                        "name other words, another picture or more gaps");
     const Bitmap dilated = dilate(coverage, kDilation);
     BakedWriter writer(kTargetType, kTargetVersion, source);
     writer.add_record("target", Record{coverage.width, coverage.height});
@@ -80,8 +89,7 @@ void verify_target(const BakedFile& file) {
     const Target target = target_in(file);
     Bitmap coverage(target.width, target.height);
     std::copy(target.coverage.begin(), target.coverage.end(), coverage.values.begin());
-    if (std::find(coverage.values.begin(), coverage.values.end(), 1) == coverage.values.end())
-        refuse(file, "nothing in its coverage is dark");
+    if (is_blank(coverage.values)) refuse(file, "nothing in its coverage is dark");
     const Bitmap dilated = dilate(coverage, kDilation);
     const auto differs = std::mismatch(dilated.values.begin(), dilated.values.end(), target.dilated.begin());
     if (differs.first == dilated.values.end()) return;

@@ -18,7 +18,8 @@ inline constexpr std::uint32_t kSmallestSide = 16;   ///< of a target, pixels
 inline constexpr std::uint32_t kLargestSide = 4096;  ///< of a target, pixels
 
 /// Writes a target, its dilation included, as a baked file; the same arguments give the same bytes. `recipe` is
-/// lines of "key: value". Throws Fault as AtomicFile does.
+/// lines of "key: value". Throws Fault as AtomicFile does, and Fault(invalid) for coverage without anything
+/// dark.
 void write_target(const std::string& path, const Bitmap& coverage, const ContentHash& source,
                   const std::string& recipe);
 

@@ -17,12 +17,6 @@ std::string shortest(double value) {
     return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 
-std::string one_line(const std::string& text) {
-    std::string line;
-    for (const char c : text) line += c == '\n' ? std::string("\\n") : std::string(1, c);
-    return line;
-}
-
 const char* name_of(Align align) {
     constexpr std::array kNames = {"left", "center", "right"};
     return kNames[static_cast<std::size_t>(align)];
@@ -63,6 +57,29 @@ std::string recipe_text(const TargetRecipe& recipe) {
         lines.add("seed", std::to_string(recipe.seed));
     }
     return lines.take();
+}
+
+std::optional<std::string> words_in(std::string_view recipe_text) {
+    constexpr std::string_view kKey = "\ntext: ";  // never the first line
+    const std::size_t at = recipe_text.find(kKey);
+    if (at == std::string_view::npos) return std::nullopt;
+    const std::string_view line = recipe_text.substr(at + kKey.size());
+    std::string words;
+    for (std::size_t i = 0; i < line.size() && line[i] != '\n'; ++i) {
+        const bool escaped = line[i] == '\\' && i + 1 < line.size();
+        if (escaped) ++i;
+        words += escaped && line[i] == 'n' ? '\n' : line[i];
+    }
+    return words;
+}
+
+std::string one_line(const std::string& text) {
+    std::string line;
+    for (const char c : text) {
+        if (c == '\\' || c == '\n') line += '\\';
+        line += c == '\n' ? 'n' : c;
+    }
+    return line;
 }
 
 ContentHash source_hash(const TargetRecipe& recipe) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "font_files.hpp"
 #include "orbweaver/baked_file.hpp"
@@ -38,6 +39,12 @@ struct TargetRecipe {
 /// All that makes one target another than a second from the same source, as lines of "key: value".
 /// Throws Fault(invalid) where text names a font that is not there.
 std::string recipe_text(const TargetRecipe& recipe);
+
+/// The words in lines that recipe_text() gave; nothing for a picture, or for gaps alone.
+std::optional<std::string> words_in(std::string_view recipe_text);
+
+/// A text without line breaks, for recipes and sentences: they become "\n", and a backslash becomes two.
+std::string one_line(const std::string& text);
 
 /// Of the picture's bytes, or of the words and the font's bytes. Throws Fault(invalid) for what cannot be read.
 ContentHash source_hash(const TargetRecipe& recipe);

@@ -30,8 +30,9 @@ ik         has the limbs of a scene's creatures, or of a species by its name, re
            (targets,way,setting,asked,missed,invented,error,median_error,cost_s), ik.json, ik.svg and index.html in DIR.
            --method names a way.
 inscription  writes in the scene's web by every mode: on rasters of several sizes, against time; and against what is
-           lost of the web's nature. Where it is text and tesseract is installed, has it read from the view's own
-           pictures, at rest and in the scene's wind. Leaves inscription.csv, trade.csv, readings.csv,
+           lost of the web's nature. Where it is text of ASCII and tesseract is installed, has it read from the view's own
+           pictures, at rest and in the scene's wind, among all capitals, small letters or digits, whatever of these
+           the text has, and its own signs. What fails in reading keeps nothing else from being written. Leaves inscription.csv, trade.csv, readings.csv,
            inscription.json, inscription.svg, trade.svg and index.html in DIR. --method names a mode.
 
 An axis is any option of the scene, PATH=LOW..HIGH:COUNT, such as web.step=10us..20ms:16 or web.drag=0..1e-6:11:lin,

@@ -138,9 +138,7 @@ private:
         const std::string which = count == rungs ? fmt::format("all of its {} rungs", rungs)
                                   : count == 1   ? fmt::format("the finest of its {} rungs", rungs)
                                                  : fmt::format("the {} finest of its {} rungs", count, rungs);
-        result_.sentences.push_back(
-            fmt::format("{}: left out {}: {}", method,
-                        deadline_.interrupted() ? "when interrupted" : "for lack of time", which));
+        result_.sentences.push_back(fmt::format("{}: left out {}: {}", method, deadline_.why_passed(), which));
     }
 
     // Repeats take at most a tenth of the method's time: what runs long varies little.

@@ -1,6 +1,7 @@
 #include "study/study_files.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "study/svg_plot.hpp"
 
@@ -16,7 +17,20 @@ constexpr const char* kStyle =
 
 }  // namespace
 
-StudyFiles::StudyFiles(const std::string& folder, const std::vector<std::string>& names) {
+FoldersToBe::FoldersToBe(const std::string& folder) {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    const fs::path whole = (fs::absolute(folder) / "").lexically_normal();
+    for (fs::path each = whole.parent_path(); !fs::exists(fs::symlink_status(each, ignored));
+         each = each.parent_path())
+        folders_.push_back(each);
+}
+
+FoldersToBe::~FoldersToBe() {
+    for (const std::filesystem::path& each : folders_) ::rmdir(each.c_str());  // but those that hold something
+}
+
+StudyFiles::StudyFiles(const std::string& folder, const std::vector<std::string>& names) : folders_(folder) {
     for (const std::string& name : names) files_.emplace_back(fmt::format("{}/{}", folder, name));
 }
 

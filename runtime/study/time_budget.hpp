@@ -16,6 +16,8 @@ public:
     double left() const;  ///< s, 0 when it has passed
     bool passed() const { return left() <= 0; }
     bool interrupted() const noexcept { return interrupt_->requested(); }
+    /// Behind what was not done: "when interrupted", "for lack of time".
+    const char* why_passed() const noexcept { return interrupted() ? "when interrupted" : "for lack of time"; }
     /// The moment when this part of what is left will have gone.
     Deadline share(double part) const;
 

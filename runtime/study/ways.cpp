@@ -60,9 +60,8 @@ private:
     void try_settings(std::size_t tasks, std::size_t way) {
         for (std::size_t setting = 0; setting < contest_.settings(tasks).size(); ++setting) {
             if (deadline_.passed()) {
-                result_.sentences.push_back(fmt::format(
-                    "{} by {}: left out {}", contest_.tasks()[tasks].name, contest_.ways()[way].name,
-                    deadline_.interrupted() ? "when interrupted" : "for lack of time"));
+                result_.sentences.push_back(fmt::format("{} by {}: left out {}", contest_.tasks()[tasks].name,
+                                                        contest_.ways()[way].name, deadline_.why_passed()));
                 return;
             }
             std::vector<double> passes(static_cast<std::size_t>(settings_.repeats));

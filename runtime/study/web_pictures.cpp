@@ -121,7 +121,8 @@ private:
 }  // namespace
 
 std::vector<std::vector<BlockPictures>> photograph(RunSettings run, const Photograph& how,
-                                                   const std::vector<double>& times) {
+                                                   const std::vector<double>& times,
+                                                   const std::function<bool()>& stop_asked) {
     const Scenery scenery = scenery_of(how);
     const double side = std::ceil(scenery.side / how.pixel);
     if (!(side <= kLargestSide))
@@ -140,7 +141,9 @@ std::vector<std::vector<BlockPictures>> photograph(RunSettings run, const Photog
         throw Fault(FaultKind::internal, "no module draws pictures; install the module view");
     std::vector<std::vector<BlockPictures>> pictures;
     for (const double time : times) {
-        while (session.time() < time - 0.5 * session.scene().step) session.step();
+        while (session.time() < time - 0.5 * session.scene().step)
+            if ((stop_asked && stop_asked()) || !session.step(stop_asked))
+                throw Fault(FaultKind::stopped, "the scene was not run to its end");
         session.present(false);
         const auto rgb = source->rgb();
         pictures.emplace_back();

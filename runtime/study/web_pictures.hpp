@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,8 +27,9 @@ struct BlockPictures {
 
 /// The view's own pictures of a scene's web at some times of a run, seen along its normal: of each time, and of
 /// each block. Throws Fault as plan_scene() and sessions do; Fault(limit) where the picture would be larger
-/// than a view may be.
+/// than a view may be; Fault(stopped) as soon as `stop_asked` says yes while the scene runs.
 std::vector<std::vector<BlockPictures>> photograph(RunSettings run, const Photograph& how,
-                                                   const std::vector<double>& times);
+                                                   const std::vector<double>& times,
+                                                   const std::function<bool()>& stop_asked = {});
 
 }  // namespace orbweaver::study

@@ -38,25 +38,26 @@ RunSettings without_inscription(RunSettings run) {
 
 WebReadings::WebReadings(const RunSettings& run, const Reader& reader, const std::string& text, double blur,
                          const std::vector<double>& times)
-    : run_(run), reader_(reader), text_(text), blur_(blur), times_(times) {
+    : run_(run), reader_(reader), text_(text), alphabet_(alphabet_of(text)), blur_(blur), times_(times) {
     run_.request.collects.clear();
 }
 
-std::vector<ReadingRow> WebReadings::of(const std::string& way, const WritingWays::Outcome& written) {
+std::vector<ReadingRow> WebReadings::of(const std::string& way, const WritingWays::Outcome& written,
+                                        const std::function<bool()>& stop_asked) {
     RunSettings run = run_;
     run.overrides.push_back(fmt::format("inscription.mode=\"{}\"", way));
-    const std::vector<BlockPictures> pictures = pictures_of(run, written.blocks);
+    const std::vector<BlockPictures> pictures = pictures_of(run, written.blocks, stop_asked);
     if (!same_place(plain_blocks_, written.blocks)) {
+        plain_ = pictures_of(without_inscription(run_), written.blocks, stop_asked);
         plain_blocks_ = written.blocks;
-        plain_ = pictures_of(without_inscription(run_), plain_blocks_);
     }
     const bool dark = written.contrast >= 1;
     const std::size_t blocks = written.blocks.size();
     std::vector<ReadingRow> rows;
     for (const bool blurred : {false, true})
         for (std::size_t i = 0; i < times_.size(); ++i) {
-            const std::string read = text_of(&pictures[i * blocks], blocks, blurred, dark);
-            const std::string plain = text_of(&plain_[i * blocks], blocks, blurred, dark);
+            const std::string read = text_of(&pictures[i * blocks], blocks, blurred, dark, stop_asked);
+            const std::string plain = text_of(&plain_[i * blocks], blocks, blurred, dark, stop_asked);
             rows.push_back({way, times_[i], blurred, in_one_line(read), character_error_rate(read, text_),
                             character_error_rate(plain, text_)});
         }
@@ -64,21 +65,23 @@ std::vector<ReadingRow> WebReadings::of(const std::string& way, const WritingWay
 }
 
 std::vector<BlockPictures> WebReadings::pictures_of(const RunSettings& run,
-                                                    const std::vector<WritingWays::Block>& blocks) const {
+                                                    const std::vector<WritingWays::Block>& blocks,
+                                                    const std::function<bool()>& stop_asked) const {
     std::vector<BlockPictures> all;
-    for (auto& at_a_time : photograph(run, {blocks, kMargin * blur_, blur_, blur_ / kPixelsPerBlur}, times_))
+    const Photograph how{blocks, kMargin * blur_, blur_, blur_ / kPixelsPerBlur};
+    for (auto& at_a_time : photograph(run, how, times_, stop_asked))
         std::move(at_a_time.begin(), at_a_time.end(), std::back_inserter(all));
     return all;
 }
 
-std::string WebReadings::text_of(const BlockPictures* blocks, std::size_t count, bool blurred,
-                                 bool dark) const {
+std::string WebReadings::text_of(const BlockPictures* blocks, std::size_t count, bool blurred, bool dark,
+                                 const std::function<bool()>& stop_asked) const {
     std::string text;
     for (std::size_t i = 0; i < count; ++i) {
         picture::GrayPicture picture = blurred ? blocks[i].blurred : blocks[i].plain;
         if (!dark)
             for (std::uint8_t& shade : picture.shades) shade = static_cast<std::uint8_t>(255 - shade);
-        text += reader_.read(picture);
+        text += reader_.read(picture, alphabet_, stop_asked);
     }
     return text;
 }

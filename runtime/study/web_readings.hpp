@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,18 +30,22 @@ public:
                 const std::vector<double>& times);
 
     /// Of one way, as it is and blurred, beside the same places of the web without inscription. Throws as
-    /// photograph() and Reader::read() do.
-    std::vector<ReadingRow> of(const std::string& way, const WritingWays::Outcome& written);
+    /// photograph() and Reader::read() do, which heed `stop_asked`; another way may be asked for then.
+    std::vector<ReadingRow> of(const std::string& way, const WritingWays::Outcome& written,
+                               const std::function<bool()>& stop_asked = {});
 
 private:
     /// Time by time, block by block.
     std::vector<BlockPictures> pictures_of(const RunSettings& run,
-                                           const std::vector<WritingWays::Block>& blocks) const;
-    std::string text_of(const BlockPictures* blocks, std::size_t count, bool blurred, bool dark) const;
+                                           const std::vector<WritingWays::Block>& blocks,
+                                           const std::function<bool()>& stop_asked) const;
+    std::string text_of(const BlockPictures* blocks, std::size_t count, bool blurred, bool dark,
+                        const std::function<bool()>& stop_asked) const;
 
     RunSettings run_;
     const Reader& reader_;
     const std::string& text_;
+    std::string alphabet_;  ///< of that
     double blur_;
     const std::vector<double>& times_;
     std::vector<WritingWays::Block> plain_blocks_;

@@ -92,26 +92,42 @@ std::string reading_sentence(const WritingsResult& result, const std::string& wa
         way, sums[0] / counts[0], sums[1] / counts[1], worst, plain / counts[1]);
 }
 
+/// Why nothing of it can be read; empty: it can.
+std::string cannot_read(const std::string& text, bool has_reader) {
+    if (text.empty()) return "it is no text, so nothing was read";
+    if (!has_reader) return "nothing was read: PATH has no tesseract; install tesseract-ocr";
+    if (const auto beyond = unreadable_in(text))
+        return fmt::format(
+            "nothing was read: '{}' is not of ASCII, beyond which the reader's English does not reach; "
+            "study words of plain letters, digits and signs",
+            *beyond);
+    return "";
+}
+
+std::string late_sentence(const std::string& way, const Deadline& deadline) {
+    return fmt::format("{} and what follows it was not read {}", way, deadline.why_passed());
+}
+
+/// What keeps one way from being read keeps no other, and nothing that was measured, from being written down.
 void read_all(const StudySettings& settings, const WritingWays& writing, const std::vector<double>& times,
               const Deadline& deadline, WritingsResult& result) {
     std::vector<std::string>& sentences = result.ways.sentences;
     const auto reader = Reader::find();
-    if (writing.text().empty() || !reader) {
-        sentences.emplace_back(writing.text().empty()
-                                   ? "it is no text, so nothing was read"
-                                   : "nothing was read: PATH has no tesseract; install tesseract-ocr");
-        return;
-    }
+    if (const std::string why = cannot_read(writing.text(), reader.has_value()); !why.empty())
+        return sentences.push_back(why);
     WebReadings readings(settings.run, *reader, writing.text(), writing.blur(), times);
     for (const TradeRow& written : result.trade) {
         if (!written.setting.empty()) continue;
-        if (deadline.passed())
-            return sentences.push_back(
-                fmt::format("{} and what follows it was not read {}", written.way,
-                            deadline.interrupted() ? "when interrupted" : "for lack of time"));
-        const auto rows = readings.of(written.way, written.outcome);
-        result.readings.insert(result.readings.end(), rows.begin(), rows.end());
-        sentences.push_back(reading_sentence(result, written.way));
+        if (deadline.passed()) return sentences.push_back(late_sentence(written.way, deadline));
+        try {
+            const auto rows = readings.of(written.way, written.outcome, [&] { return deadline.passed(); });
+            result.readings.insert(result.readings.end(), rows.begin(), rows.end());
+            sentences.push_back(reading_sentence(result, written.way));
+        } catch (const Fault& fault) {
+            if (fault.kind() == FaultKind::stopped)
+                return sentences.push_back(late_sentence(written.way, deadline));
+            sentences.push_back(written.way + " was not read: " + fault.what());
+        }
     }
 }
 

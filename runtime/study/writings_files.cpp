@@ -41,20 +41,38 @@ SvgPlot trade_plot(const WritingsResult& result) {
     return plot;
 }
 
+/// What is read may hold commas and quotes.
+std::string quoted(const std::string& text) {
+    if (text.find_first_of(",\"") == std::string::npos) return text;
+    std::string cell = "\"";
+    for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
+    return cell + "\"";
+}
+
+/// The cell of CSV that begins there, which ends before a comma or a line's end.
+std::string take_cell(const std::string& csv, std::size_t& at) {
+    std::string cell;
+    bool within_quotes = false;
+    for (; within_quotes || (csv[at] != ',' && csv[at] != '\n'); ++at) {
+        if (csv[at] != '"')
+            cell += csv[at];
+        else if (within_quotes && csv[at + 1] == '"')
+            cell += csv[at++];
+        else
+            within_quotes = !within_quotes;
+    }
+    return cell;
+}
+
 std::string html_table(const std::string& csv) {
-    std::string html = "<table>\n";
-    std::size_t begin = 0;
-    for (bool head = true; begin < csv.size(); head = false) {
-        const std::size_t end = csv.find('\n', begin);
-        html += "<tr>";
-        for (std::size_t at = begin; at <= end;) {
-            const std::size_t comma = std::min(csv.find(',', at), end);
-            const std::string cell = escaped(csv.substr(at, comma - at));
-            html += head ? "<th>" + cell + "</th>" : "<td>" + cell + "</td>";
-            at = comma + 1;
-        }
-        html += "</tr>\n";
-        begin = end + 1;
+    std::string html = "<table>\n<tr>";
+    bool head = true;
+    for (std::size_t at = 0; at < csv.size(); ++at) {
+        const std::string cell = escaped(take_cell(csv, at));
+        html += head ? "<th>" + cell + "</th>" : "<td>" + cell + "</td>";
+        if (csv[at] != '\n') continue;
+        html += at + 1 < csv.size() ? "</tr>\n<tr>" : "</tr>\n";
+        head = false;
     }
     return html + "</table>\n";
 }
@@ -75,7 +93,7 @@ std::string trade_csv(const WritingsResult& result) {
 std::string readings_csv(const WritingsResult& result) {
     std::string csv = "way,time_s,blurred,read,error,plain_error\n";
     for (const ReadingRow& row : result.readings)
-        csv += fmt::format("{},{},{},{},{:.4f},{:.4f}\n", row.way, row.time, row.is_blurred, row.read,
+        csv += fmt::format("{},{},{},{},{:.4f},{:.4f}\n", row.way, row.time, row.is_blurred, quoted(row.read),
                            row.error, row.plain_error);
     return csv;
 }

@@ -3,6 +3,7 @@
 #include "sanitized.hpp"
 #include "shipped_scenes.hpp"
 #include "study/web_readings.hpp"
+#include "written_otherwise.hpp"
 
 using namespace orbweaver;
 using namespace orbweaver::study;
@@ -10,9 +11,9 @@ using namespace orbweaver::study;
 namespace {
 
 /// What is read in a scene's web at some times.
-std::vector<ReadingRow> readings(const std::string& scene, int seed, const std::vector<double>& times) {
+std::vector<ReadingRow> readings(const std::string& path, int seed, const std::vector<double>& times) {
     RunSettings run;
-    run.scene_path = scene_path(scene);
+    run.scene_path = path;
     run.module_directories = {ORBWEAVER_MODULE_DIR};
     run.overrides = {"scene.seed=" + std::to_string(seed)};
     const auto reader = Reader::find();
@@ -45,7 +46,7 @@ TEST_CASE("words written legibly are read, and where nothing is written nothing 
     double written = 0, plain = 0;
     const int seeds = repetitions(10);
     for (int seed = 1; seed <= seeds; ++seed) {
-        const auto rows = readings(scene, seed, {0});
+        const auto rows = readings(scene_path(scene), seed, {0});
         INFO(scene << ", seed " << seed << ": " << rows.back().read);
         CHECK(rows.back().error <= 0.34);  // two letters of six
         written += mean_error(rows, true, &ReadingRow::error) / seeds;
@@ -57,9 +58,19 @@ TEST_CASE("words written legibly are read, and where nothing is written nothing 
 }
 
 TEST_CASE("words are still read in the meadow's wind", "[image]") {
-    const std::vector<double> times =
-        kSanitized ? std::vector{0.1} : std::vector{0.5, 1.0, 1.5, 2.0, 2.5, 3.0};
-    const auto rows = readings("some_pig", 1, times);
+    const std::vector<double> times = kSanitized ? std::vector{0.1} : std::vector{0.5, 1.0, 1.5, 2.0, 2.5, 3.0};
+    const auto rows = readings(scene_path("some_pig"), 1, times);
     CHECK(mean_error(rows, true, &ReadingRow::error) <= 0.3);
     CHECK(mean_error(rows, true, &ReadingRow::plain_error) >= 0.8);
+}
+
+TEST_CASE("small letters and digits are read as capitals are", "[image]") {
+    const Folder folder("legibility");
+    for (const char* text : {"pig", "Pig 42"}) {
+        CAPTURE(text);
+        const std::string lines = "text = \"" + std::string(text) + "\"";
+        const auto rows = readings(written_otherwise(folder, lines), 1, {0});
+        CHECK(mean_error(rows, true, &ReadingRow::error) <= 0.2);
+        CHECK(mean_error(rows, true, &ReadingRow::plain_error) >= 0.8);
+    }
 }

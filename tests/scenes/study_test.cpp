@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "program.hpp"
 #include "sanitized.hpp"
 #include "scratch.hpp"
 #include "shipped_scenes.hpp"
@@ -148,4 +150,19 @@ TEST_CASE("queries of a surface are answered by every module that can, FCL's too
     const std::string csv = csv_text.str();
     for (const char* way : {"walker", "wide_tree", "every_triangle", "closest_point", "fcl_tree"})
         CHECK_THAT(csv, Catch::Contains(std::string("underfoot,") + way + ",2000,0,0,"));
+}
+
+TEST_CASE("a reader that hangs takes no more than the study's time, and nothing that was measured",
+          "[extreme]") {
+    const Folder folder("study_inscription");
+    const std::string reader = folder.write("tesseract", "#!/bin/sh\nsleep 1000\n");
+    std::filesystem::permissions(reader, std::filesystem::perms::owner_all);
+    const std::string out = folder.path("out"), time = std::to_string(static_cast<int>(kPatience * 10));
+    const Outcome outcome =
+        run_program("study inscription '" + scene_path("charlotte/pig") + "' --out '" + out +
+                        "' --method removal --repeats 1 --duration 0.02 --quiet --time " + time,
+                    "PATH='" + folder.path("") + "':$PATH");
+    CHECK(outcome.code == 0);
+    CHECK_THAT(outcome.text, Catch::Contains("removal and what follows it was not read for lack of time"));
+    CHECK(std::filesystem::exists(out + "/trade.csv"));
 }

@@ -104,6 +104,12 @@ int bake_scene(const std::string& scene_path, const std::vector<std::string>& mo
     Diagnostics& faults = planned.plan.faults;
     const auto assets = assets_of(planned.plan);
     int code = faults.empty() ? 0 : static_cast<int>(FaultKind::invalid);
+    for (const Asset& asset : assets)
+        if (asset.kind == "target")
+            for (Diagnostic& fault : inscription::idle_options(*asset.options)) {
+                faults.push_back(std::move(fault));
+                code = static_cast<int>(FaultKind::invalid);
+            }
     Progress progress("bake", 0, assets.size(), 0, assets.empty(), "assets");
     for (std::size_t i = 0; i < assets.size(); ++i) {
         const Asset& asset = assets[i];

@@ -15,11 +15,14 @@ namespace {
 using inscription::Bitmap;
 using inscription::TargetRecipe;
 
-void check_picture(const std::string& picture, const std::string& output) {
-    if (is_baked_file(picture))
-        throw Fault(FaultKind::invalid, picture + ": is baked already; name what it was made from");
-    if (std::error_code ignored; std::filesystem::equivalent(picture, output, ignored))
+/// Neither picture nor font is written over.
+void check_output(const TargetRecipe& recipe, const std::string& output) {
+    std::error_code ignored;
+    if (recipe.picture && std::filesystem::equivalent(*recipe.picture, output, ignored))
         throw Fault(FaultKind::invalid, output + ": is what is to be baked; name another file to write");
+    if (recipe.text && std::filesystem::equivalent(find_font(recipe.font, recipe.weight), output, ignored))
+        throw Fault(FaultKind::invalid,
+                    output + ": is the font that the words are drawn in; name another file to write");
 }
 
 Bitmap coverage_of(const TargetRecipe& recipe) {
@@ -31,7 +34,9 @@ Bitmap coverage_of(const TargetRecipe& recipe) {
 }  // namespace
 
 void bake_target(const TargetRecipe& recipe, const std::string& output) {
-    if (recipe.picture) check_picture(*recipe.picture, output);
+    if (recipe.picture && is_baked_file(*recipe.picture))
+        throw Fault(FaultKind::invalid, *recipe.picture + ": is baked already; name what it was made from");
+    check_output(recipe, output);
     Bitmap coverage = coverage_of(recipe);
     if (recipe.gaps > 0) {
         const Bitmap gaps = inscription::random_gaps(recipe.width, recipe.height, recipe.gaps, recipe.seed);

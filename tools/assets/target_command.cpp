@@ -39,6 +39,23 @@ void parse_size(const std::string& text, TargetRecipe& recipe) {
     recipe.height = *height;
 }
 
+/// CLI::Range lets pass what is no number, and what is none is never out of range.
+std::function<std::string(const std::string&)> number_between(double low, double high) {
+    return [=](const std::string& text) {
+        const auto number = parse_number<double>(text);
+        return number && *number >= low && *number <= high
+                   ? std::string()
+                   : fmt::format("'{}' is not a number from {:g} to {:g}", text, low, high);
+    };
+}
+
+/// CLI11 takes what is below 0 or too large for another number.
+std::string check_seed(const std::string& text) {
+    return parse_number<std::uint64_t>(text)
+               ? ""
+               : fmt::format("'{}' is not a seed; expected a whole number from 0 to 2^64 - 1", text);
+}
+
 /// Shells hand over "\n" as two characters.
 std::string with_line_breaks(std::string text) {
     for (std::size_t at = text.find("\\n"); at != std::string::npos; at = text.find("\\n", at))
@@ -59,13 +76,15 @@ TargetCommand::TargetCommand(CLI::App& app)
         ->add_option(
             "--margin", recipe_.margin,
             "left free at each edge, as a share of the shorter side; else 0 of a picture, 0.05 of text")
-        ->check(CLI::Range(0.0, 0.45));
+        ->check(number_between(0.0, 0.45));
     command_
         ->add_option("--gaps", recipe_.gaps,
                      "random gaps that darken this share of all pixels; alone or in addition")
-        ->check(CLI::Range(0.0, 0.5))
+        ->check(number_between(0.0, 0.5))
         ->capture_default_str();
-    command_->add_option("--seed", recipe_.seed, "another seed, other gaps")->capture_default_str();
+    command_->add_option("--seed", recipe_.seed, "another seed, other gaps")
+        ->check(check_seed)
+        ->capture_default_str();
 }
 
 void TargetCommand::add_picture_options() {
@@ -73,13 +92,13 @@ void TargetCommand::add_picture_options() {
     command_
         ->add_option("--threshold", recipe_.threshold,
                      "what is darker is inscribed, 0 to 1; else Otsu's, which parts the shades best")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(number_between(0.0, 1.0))
         ->needs(picture);
     command_->add_flag("--invert", recipe_.invert, "inscribe what is bright")->needs(picture);
     command_
         ->add_option("--low-pass", recipe_.low_pass,
                      "blur first: the standard deviation of a Gaussian, pixels of the target")
-        ->check(CLI::Range(0.0, 100.0))
+        ->check(number_between(0.0, 100.0))
         ->needs(picture);
 }
 
@@ -98,7 +117,7 @@ void TargetCommand::add_text_options() {
         ->needs(text)
         ->capture_default_str();
     command_->add_option("--line-spacing", recipe_.line_spacing, "times the font's own")
-        ->check(CLI::Range(0.1, 10.0))
+        ->check(number_between(0.1, 10.0))
         ->needs(text)
         ->capture_default_str();
 }

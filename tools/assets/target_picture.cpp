@@ -41,13 +41,19 @@ Shades fitted(const ByteShades& picture, const TargetRecipe& recipe) {
     return resample(picture, side(picture.width, recipe.width), side(picture.height, recipe.height));
 }
 
-double threshold_of(const Shades& shades, const TargetRecipe& recipe) {
-    if (recipe.threshold) return *recipe.threshold;
-    if (const auto threshold = inscription::otsu_threshold(shades)) return *threshold;
-    throw Fault(FaultKind::invalid,
-                *recipe.picture +
-                    ": is of one shade throughout; expected something dark on something bright, "
-                    "so name another picture");
+[[noreturn]] void refuse_one_shade(const TargetRecipe& recipe, const std::string& when,
+                                   const std::string& remedy) {
+    throw Fault(FaultKind::invalid, *recipe.picture + ": is of one shade throughout" + when +
+                                        "; expected something dark on something bright, so " + remedy);
+}
+
+Shades blurred(Shades shades, const TargetRecipe& recipe) {
+    if (recipe.low_pass == 0) return shades;
+    shades = low_pass(shades, recipe.low_pass);
+    if (!inscription::otsu_threshold(shades))
+        refuse_one_shade(recipe, fmt::format(" when it is blurred by {:g} pixels", recipe.low_pass),
+                         "blur it less");
+    return shades;
 }
 
 void check_both_shades(std::size_t dark, std::size_t all, double threshold, const TargetRecipe& recipe) {
@@ -63,9 +69,10 @@ void check_both_shades(std::size_t dark, std::size_t all, double threshold, cons
 }  // namespace
 
 Bitmap picture_coverage(const TargetRecipe& recipe) {
-    Shades shades = fitted(shades_of(*recipe.picture), recipe);
-    if (recipe.low_pass > 0) shades = low_pass(shades, recipe.low_pass);
-    const double threshold = threshold_of(shades, recipe);
+    Shades sharp = fitted(shades_of(*recipe.picture), recipe);
+    if (!inscription::otsu_threshold(sharp)) refuse_one_shade(recipe, "", "name another picture");
+    const Shades shades = blurred(std::move(sharp), recipe);
+    const double threshold = recipe.threshold.value_or(*inscription::otsu_threshold(shades));
     Bitmap coverage(recipe.width, recipe.height);
     const std::uint32_t left = (recipe.width - shades.width) / 2, top = (recipe.height - shades.height) / 2;
     std::size_t dark = 0;

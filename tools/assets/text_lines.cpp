@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "orbweaver/fault.hpp"
 
@@ -32,7 +33,21 @@ Character front(std::string_view text) {
     return {code, bytes};
 }
 
-bool is_control(char32_t code) { return (code < 0x20 && code != '\n') || (code >= 0x7f && code < 0xa0); }
+struct Range {
+    char32_t first, last;
+};
+
+/// Unicode's Cc but for the line break, Zl, Zp, and of Cf what leaves no trace in a line: joiners shape
+/// letters.
+constexpr Range kControls[] = {{0, 0x9},           {0xb, 0x1f},        {0x7f, 0x9f},      {0xad, 0xad},
+                               {0x61c, 0x61c},     {0x180e, 0x180e},   {0x200b, 0x200b},  {0x200e, 0x200f},
+                               {0x2028, 0x202e},   {0x2060, 0x206f},   {0xfeff, 0xfeff},  {0xfff9, 0xfffb},
+                               {0x1bca0, 0x1bca3}, {0x1d173, 0x1d17a}, {0xe0001, 0xe007f}};
+
+bool is_control(char32_t code) {
+    return std::any_of(std::begin(kControls), std::end(kControls),
+                       [&](const Range& range) { return code >= range.first && code <= range.last; });
+}
 
 [[noreturn]] void refuse(FaultKind kind, const std::string& sentence) {
     throw Fault(kind, "the text " + sentence);

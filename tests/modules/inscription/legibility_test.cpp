@@ -168,3 +168,17 @@ TEST_CASE("what is measured of a block is as if the whole page were blurred", "[
         CHECK(found.iou == Approx(both / either).margin(3 / either));
     }
 }
+
+TEST_CASE("what is cut is missed", "[unit]") {
+    Lettering lettering = lettering_of(letters());
+    CHECK(lettering.cut_share() == 0);
+    const test::HandMade web = written(letters(), 4, 4, 1);
+    const Legibility whole = measure(web, lettering);
+    lettering.cut = static_cast<double>(test::count_dark(letters()));
+    CHECK(lettering.cut_share() == Approx(0.5));
+    const Legibility half = measure(web, lettering);
+    CHECK(half.iou < 0.5);
+    CHECK(half.iou > 0.45 * whole.iou);
+    CHECK(half.ssim == whole.ssim);
+    CHECK(half.contrast == whole.contrast);
+}

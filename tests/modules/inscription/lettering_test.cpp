@@ -97,6 +97,21 @@ TEST_CASE("position is right of and above the hub, size is the target's width", 
     CHECK(test::count_dark(lettering.coverage) == static_cast<std::size_t>(box.width() * box.height()));
 }
 
+TEST_CASE("what lies beside the page is cut, and known to be", "[unit]") {
+    const test::HandMade web = orb();  // on a page 0.4 m wide, the hub in its middle
+    Bitmap coverage(40, 40);
+    test::fill(coverage, {0, 0, 40, 40});
+    WhereToWrite where;
+    where.size = 0.1;
+    where.side = 400;
+    for (const auto& [position, share] : std::vector<std::pair<Spot, double>>{
+             {{0, 0}, 0}, {{0, 0.15}, 0}, {{0, 0.175}, 0.25}, {{0.2, 0}, 0.5}, {{-0.2, -0.2}, 0.75}}) {
+        where.position = position;
+        CAPTURE(position.x, position.y);
+        CHECK(lay_on(web, test::target_of(coverage), where).cut_share() == Approx(share).margin(0.02));
+    }
+}
+
 TEST_CASE("the best place is on the spiral, above and below the hub, and no lower than can be read", "[unit]") {
     const test::HandMade web = orb();
     const Lettering lettering = lay_on(web, test::target_of(kTwoWords), best_place());

@@ -100,6 +100,24 @@ TEST_CASE("the whole target is placed by its width and its middle", "[unit]") {
     CHECK(box_of(whole(test::target_of(coverage), {-50, 60}, 45), 100).empty());
 }
 
+TEST_CASE("what is dark beside the page is counted in pixels of the page", "[unit]") {
+    Bitmap coverage(30, 20);
+    test::fill(coverage, {10, 0, 20, 20});
+    const Target target = test::target_of(coverage);
+    struct Case {
+        Spot middle;
+        double width, beside;
+    };
+    for (const auto& [middle, width, beside] : std::vector<Case>{{{50, 50}, 30, 0},
+                                                                 {{50, 50}, 300, 10 * 10 * 100},
+                                                                 {{50, 0}, 30, 100},
+                                                                 {{100, 100}, 30, 150},
+                                                                 {{-50, 50}, 60, 800}}) {
+        CAPTURE(middle.x, middle.y, width);
+        CHECK(dark_beside(target, whole(target, middle, width), 100) == Approx(beside));
+    }
+}
+
 TEST_CASE("what is placed at its own size is copied, at twice its size doubled", "[unit]") {
     const Bitmap coverage = test::random_bitmap(20, 20, 0.3, 1);
     CHECK(place(test::target_of(coverage), {whole(test::target_of(coverage), {10, 10}, 20)}, 20) == coverage);

@@ -72,6 +72,8 @@ TEST_CASE("a baked file is opened where it lies, and what is not baked is told w
     TargetRecipe text;
     text.text = "SOME PIG";
     CHECK_THROWS_WITH(open_target(text), "the text 'SOME PIG'" + remedy);
+    text.text = "SOME\nPIG";
+    CHECK_THROWS_WITH(open_target(text), "the text 'SOME\\nPIG'" + remedy);
     stage.bake(stage.folder.path("mine.baked"));
     stage.recipe.picture = stage.folder.path("mine.baked");
     CHECK(target_in(open_target(stage.recipe)).width == 32);

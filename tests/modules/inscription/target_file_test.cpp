@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -72,6 +73,15 @@ TEST_CASE("a target comes back from its file as it was, dilated by 7 x 7", "[uni
     CHECK(builder_in(file) == kTargetBuilder);
     CHECK(file.source_hash() == ContentHash{5, 6});
     CHECK_NOTHROW(verify_target(file));
+}
+
+TEST_CASE("a target in which nothing is dark is not written", "[unit]") {
+    const test::Scratch folder;
+    CHECK_THROWS_WITH(write_target(folder.path("f"), Bitmap(16, 16), {1, 2}, "source: gaps\n"),
+                      folder.path("f") +
+                          ": nothing in it would be dark; expected something to be inscribed, so name other "
+                          "words, another picture or more gaps");
+    CHECK_FALSE(std::filesystem::exists(folder.path("f")));
 }
 
 TEST_CASE("the same target gives the same bytes", "[unit]") {

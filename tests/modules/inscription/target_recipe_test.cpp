@@ -90,3 +90,18 @@ TEST_CASE("the source is the picture's bytes, or the words and the font", "[unit
     other.font = folder.write("f.ttf", "another font");
     CHECK_FALSE(source_hash(of_text("a")) == source_hash(other));
 }
+
+TEST_CASE("words come back from a recipe as they were", "[unit]") {
+    TargetRecipe recipe;
+    for (const char* text : {"A", "SOME\nPIG", " a \n\n b", "a\\nb", "\\", "\\\n", "text: a", ""}) {
+        recipe.text = text;
+        CAPTURE(text);
+        CHECK(words_in(recipe_text(recipe)) == text);
+    }
+    recipe.text.reset();
+    recipe.gaps = 0.1;
+    CHECK_FALSE(words_in(recipe_text(recipe)));
+    recipe.picture = "text: a.png";
+    CHECK_FALSE(words_in(recipe_text(recipe)));
+    CHECK_FALSE(words_in(""));
+}

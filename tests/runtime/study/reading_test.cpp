@@ -1,14 +1,17 @@
 #include "study/reading.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 
 #include "orbweaver/random.hpp"
+#include "run/interrupt.hpp"
 #include "support/fake_reader.hpp"
 #include "support/opened_scene.hpp"
 
@@ -162,4 +165,63 @@ TEST_CASE("line ends and spaces are no errors, and what is longer may be worse t
     CHECK(character_error_rate("pig", "PIG") == 1);
     CHECK(character_error_rate(" \n", " ") == 0);
     CHECK(character_error_rate("A", "\n") == 1);
+}
+
+TEST_CASE("the reader chooses among the letters of the alphabet that it is given", "[unit]") {
+    const OnlyReader only("echo \"$6\"\n");
+    CHECK(only.find().read(shades(1, 1), "Ab=,\"\\") == "tessedit_char_whitelist=Ab=,\"\\\n");
+}
+
+TEST_CASE("a reader that hangs is ended as soon as a stop is asked for", "[extreme]") {
+    const OnlyReader only("trap '' INT TERM\necho $$ > $0.works\nwhile true; do :; done\n");
+    const std::string works = only.folder.path("tesseract.works");
+    const auto stop_asked = [&] { return std::filesystem::exists(works) && !read_file(works).empty(); };
+    const auto start = std::chrono::steady_clock::now();
+    CHECK(kind_of_fault([&] { only.find().read(shades(1, 1), "A", stop_asked); }) == FaultKind::stopped);
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+    CHECK(::kill(std::stoi(read_file(works)), 0) != 0);
+}
+
+TEST_CASE("signals of the terminal are ours, and none is kept from the reader", "[unit]") {
+    const Interrupt interrupt;
+    const OnlyReader only("/usr/bin/cut -d' ' -f5 /proc/$$/stat\n/bin/grep SigBlk /proc/$$/status\n");
+    const std::string said = only.find().read(shades(1, 1));
+    CHECK(std::stoi(said) != ::getpgrp());
+    CHECK_THAT(said, Catch::EndsWith("SigBlk:\t0000000000000000\n"));
+}
+
+TEST_CASE("an alphabet has the kinds of characters that a text has, and its signs", "[unit]") {
+    const std::string capitals = "ABCDEFGHIJKLMNOPQRSTUVWXYZ", small = "abcdefghijklmnopqrstuvwxyz";
+    CHECK(alphabet_of("SOME\nPIG") == capitals);
+    CHECK(alphabet_of("pig") == small);
+    CHECK(alphabet_of("Pig 7!") == capitals + small + "0123456789!");
+    CHECK(alphabet_of("?-?") == "?-");
+    CHECK(alphabet_of("\u00e9t\u00e9") == small + "\u00e9");
+    CHECK(alphabet_of("").empty());
+}
+
+TEST_CASE("the first character beyond ASCII is what the reader may not know", "[unit]") {
+    CHECK_FALSE(unreadable_in("Some pig, 7!\n~"));
+    CHECK(unreadable_in("CAF\u00c9 \u6f22") == "\u00c9");
+    CHECK(unreadable_in("\U0001f437") == "\U0001f437");
+}
+
+TEST_CASE("errors are counted in characters, whatever bytes they have, and without white space", "[unit]") {
+    struct Case {
+        const char *read, *written;
+        double rate;
+    };
+    for (const auto& [read, written, rate] : std::vector<Case>{{"SOME\nPIG\n", "SOME PIG", 0},
+                                                               {"SOMEPIC", "SOME PIG", 1.0 / 7},
+                                                               {"some pig", "SOME PIG", 1},
+                                                               {"", "PIG", 1},
+                                                               {"PIG", "", 1},
+                                                               {" ", "", 0},
+                                                               {"ABCDEF", "XY", 3},
+                                                               {"CAFE", "CAF\u00c9", 0.25},
+                                                               {"CAF\u00c9", "CAF\u00c9", 0},
+                                                               {"\u00c9", "\u00c8", 1}}) {
+        CAPTURE(read, written);
+        CHECK(character_error_rate(read, written) == Approx(rate));
+    }
 }

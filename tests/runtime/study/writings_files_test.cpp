@@ -143,3 +143,16 @@ TEST_CASE("the page has both plots, the sentences and three tables", "[unit]") {
         "<td>0.8750</td></tr>\n</table>\n");
     CHECK_THAT(ways, Catch::Contains("<tr><td>as_it_is</td><td>removal</td><td></td><td>1</td>"));
 }
+
+TEST_CASE("what is read stays one cell, whatever signs it has", "[unit]") {
+    WritingsResult result;
+    result.readings = {{"legible", 0, true, "A,\"B\"/C", 0.25, 1}, {"removal", 0.5, false, "AB", 1, 1}};
+    CHECK(readings_csv(result) ==
+          "way,time_s,blurred,read,error,plain_error\n"
+          "legible,0,true,\"A,\"\"B\"\"/C\",0.2500,1.0000\n"
+          "removal,0.5,false,AB,1.0000,1.0000\n");
+    const std::string page = writings_page(result);
+    CHECK_THAT(page, Catch::Contains("<td>true</td><td>A,&quot;B&quot;/C</td><td>0.2500</td>"));
+    CHECK_THAT(page,
+               Catch::Contains("</tr>\n<tr><td>removal</td>") && Catch::Contains("<th>plain_error</th></tr>"));
+}

@@ -45,11 +45,12 @@ public:
         if (effort.loss) outcome.iou = *effort.loss;
         outcome.silk_share = way == 0 ? 0.125 : 0.25;
         outcome.contrast = 2;
-        outcome.blocks = {{{}, {0.01, 0, 0}, {0, 0.01, 0}}};
+        outcome.blocks = {{{}, {half_width, 0, 0}, {0, 0.01, 0}}};
         return outcome;
     }
 
     bool web = true, signals = false;
+    double half_width = 0.01;
     std::string text_;
 };
 
@@ -190,4 +191,61 @@ TEST_CASE("what no time was left for is said", "[extreme]") {
     CHECK(unread.trade.size() == 9);
     CHECK(unread.readings.empty());
     CHECK(unread.ways.sentences.back() == "brush and what follows it was not read when interrupted");
+}
+
+TEST_CASE("what keeps a way from being read is said, and keeps nothing that was measured from the study",
+          "[extreme]") {
+    const Folder folder;
+    write_script(folder, "tesseract", "exit 1\n");
+    const Surrounded path("PATH", folder.path());
+    Studied studied;
+    studied.pens.text_ = "PIG";
+    const std::string failed =
+        " was not read: " + folder.path("tesseract") + " failed; see whether it reads a picture by itself";
+    const WritingsResult result = studied.study();
+    CHECK(result.trade.size() == 9);
+    CHECK(result.readings.empty());
+    REQUIRE(result.ways.sentences.size() == 3);
+    CHECK(result.ways.sentences[1] == "brush" + failed);
+    CHECK(result.ways.sentences[2] == "pen" + failed);
+    studied.pens.half_width = 1000;
+    CHECK_THAT(studied.study().ways.sentences[1],
+               Catch::StartsWith("brush was not read: a picture in which the web's meshes can be told") &&
+                   Catch::EndsWith("study a web of fewer turns"));
+}
+
+TEST_CASE("a way that can be read is, after one that could not", "[extreme]") {
+    const Folder folder;  // a reader that fails once
+    write_script(folder, "tesseract", "[ -e $0.failed ] && echo PIG && exit 0\n: > $0.failed\nexit 1\n");
+    const Surrounded path("PATH", folder.path());
+    Studied studied;
+    studied.pens.text_ = "PIG";
+    const WritingsResult result = studied.study();
+    CHECK(result.ways.sentences[1].starts_with("brush was not read: "));
+    REQUIRE(result.readings.size() == 2 * studied.times.size());
+    CHECK(result.readings[0].way == "pen");
+    CHECK(result.readings[0].error == 0);
+}
+
+TEST_CASE("a reader that hangs is given up in time", "[extreme]") {
+    const Folder folder;
+    write_script(folder, "tesseract", "while true; do :; done\n");
+    const Surrounded path("PATH", folder.path());
+    Studied studied;
+    studied.pens.text_ = "PIG";
+    const WritingsResult result = studied.study(kSanitized ? 20 : 2);
+    CHECK(result.trade.size() == 9);
+    CHECK(result.ways.sentences.back() == "brush and what follows it was not read for lack of time");
+}
+
+TEST_CASE("words that the reader may not know are not read, which is said", "[extreme]") {
+    const FakeReader fake;
+    Studied studied;
+    studied.pens.text_ = "CAF\u00c9";
+    const WritingsResult result = studied.study();
+    CHECK(result.readings.empty());
+    CHECK(result.ways.sentences.back() ==
+          "nothing was read: '\u00c9' is not of ASCII, beyond which the reader's English does not reach; study "
+          "words "
+          "of plain letters, digits and signs");
 }

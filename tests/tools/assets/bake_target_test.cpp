@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
 
 #include "gaps.hpp"
 #include "orbweaver/fault.hpp"
@@ -70,4 +71,16 @@ TEST_CASE("what is baked already, or would be overwritten, is refused", "[unit]"
     recipe.picture = folder.write("p.png", test::gray_png(9, 9, [](int x, int) { return x < 4 ? 0 : 255; }));
     CHECK_THROWS_WITH(bake_target(recipe, folder.path("p.png")),
                       folder.path("p.png") + ": is what is to be baked; name another file to write");
+}
+
+TEST_CASE("the font is not written over, by whatever name it goes", "[unit]") {
+    const test::Folder folder;
+    TargetRecipe recipe = some_pig();
+    const std::string bytes = test::read_file(find_font(recipe.font, recipe.weight));
+    recipe.font = folder.write("f.ttf", bytes);
+    std::filesystem::create_symlink(recipe.font, folder.path("link"));
+    for (const std::string& output : {folder.path("f.ttf"), folder.path("link")})
+        CHECK_THROWS_WITH(bake_target(recipe, output),
+                          output + ": is the font that the words are drawn in; name another file to write");
+    CHECK(test::read_file(recipe.font) == bytes);
 }

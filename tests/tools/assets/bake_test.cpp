@@ -132,6 +132,8 @@ TEST_CASE("what cannot be inscribed is a fault with its place in the scene", "[u
         {"text = \"\\u6f22\"\n", ":4:8: "},
         {"text = \"\"\n", ":4:8: the text is empty"},
         {"target = \"p.png\"\n", ":4:10: the file's first bytes are those of no picture format"},
+        {"invert = true\ntext = \"A\"\n",
+         ":4:10: 'invert' has no effect on words; expected it beside a picture; leave it out"},
         {"target = \"p.png\"\ntext = \"A\"\n", "both 'target' and 'text' are given"}};
     for (const auto& [option, sentence] : cases) {
         stage.write_scene("[notice]\n" + option);

@@ -95,25 +95,44 @@ TEST_CASE("what is wrong with words or a picture is a sentence and exit code 3, 
 }
 
 TEST_CASE("a wrong command line of a target is exit code 2", "[unit]") {
-    for (const auto& words :
-         std::vector<std::vector<std::string>>{{"-o", "x"},
-                                               {"--text", "a"},
-                                               {"p.png", "--text", "a", "-o", "x"},
-                                               {"--text", "a", "-o", "x", "--invert"},
-                                               {"p.png", "-o", "x", "--align", "left"},
-                                               {"p.png", "-o", "x", "--threshold", "1.5"},
-                                               {"p.png", "-o", "x", "--low-pass", "-1"},
-                                               {"p.png", "-o", "x", "--margin", "0.5"},
-                                               {"p.png", "-o", "x", "--size", "15"},
-                                               {"p.png", "-o", "x", "--size", "600x"},
-                                               {"p.png", "-o", "x", "--size", "600x5000"},
-                                               {"--text", "a", "-o", "x", "--weight", "heavy"},
-                                               {"--text", "a", "-o", "x", "--align", "top"},
-                                               {"--gaps", "0.6", "-o", "x"}}) {
+    struct Case {
+        std::vector<std::string> words;
+        const char* sentence;
+    };
+    for (const auto& [words, sentence] : std::vector<Case>{
+             {{"-o", "x"}, "there is nothing to make one of"},
+             {{"--text", "a"}, "--output is required"},
+             {{"p.png", "--text", "a", "-o", "x"}, "IMAGE excludes --text"},
+             {{"--text", "a", "-o", "x", "--invert"}, "--invert requires IMAGE"},
+             {{"p.png", "-o", "x", "--align", "left"}, "--align requires --text"},
+             {{"p.png", "-o", "x", "--threshold", "1.5"}, "--threshold: '1.5' is not a number from 0 to 1"},
+             {{"p.png", "-o", "x", "--threshold", "nan"}, "--threshold: 'nan' is not a number from 0 to 1"},
+             {{"p.png", "-o", "x", "--low-pass", "-1"}, "--low-pass: '-1' is not a number from 0 to 100"},
+             {{"p.png", "-o", "x", "--low-pass", "100.1"}, "--low-pass: '100.1' is not a number from 0 to 100"},
+             {{"p.png", "-o", "x", "--low-pass", "NaN"}, "--low-pass: 'NaN' is not a number from 0 to 100"},
+             {{"p.png", "-o", "x", "--low-pass", "a lot"}, "--low-pass: 'a lot' is not a number from 0 to 100"},
+             {{"p.png", "-o", "x", "--margin", "0.5"}, "--margin: '0.5' is not a number from 0 to 0.45"},
+             {{"p.png", "-o", "x", "--margin", "-nan"}, "--margin: '-nan' is not a number from 0 to 0.45"},
+             {{"p.png", "-o", "x", "--size", "15"}, "'15' is not the size of a target"},
+             {{"p.png", "-o", "x", "--size", "600x"}, "'600x' is not the size of a target"},
+             {{"p.png", "-o", "x", "--size", "600x5000"}, "'600x5000' is not the size of a target"},
+             {{"--text", "a", "-o", "x", "--weight", "heavy"}, "--weight: "},
+             {{"--text", "a", "-o", "x", "--align", "top"}, "--align: "},
+             {{"--text", "a", "-o", "x", "--line-spacing", "0.09"},
+              "--line-spacing: '0.09' is not a number from 0.1 to 10"},
+             {{"--text", "a", "-o", "x", "--line-spacing", "nan"},
+              "--line-spacing: 'nan' is not a number from 0.1 to 10"},
+             {{"--gaps", "0.6", "-o", "x"}, "--gaps: '0.6' is not a number from 0 to 0.5"},
+             {{"--gaps", "nan", "-o", "x"}, "--gaps: 'nan' is not a number from 0 to 0.5"},
+             {{"--gaps", "0.1", "-o", "x", "--seed", "-1"}, "--seed: '-1' is not a seed"},
+             {{"--gaps", "0.1", "-o", "x", "--seed", "99999999999999999999"},
+              "--seed: '99999999999999999999' is not a seed; expected a whole number from 0 to 2^64 - 1"}}) {
         std::vector<std::string> arguments = {"target"};
         arguments.insert(arguments.end(), words.begin(), words.end());
         const auto outcome = run_assets(arguments);
-        INFO(outcome.err);
+        CAPTURE(words);
         CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err + outcome.out, Catch::Contains(sentence));
     }
+    CHECK_FALSE(std::filesystem::exists("x"));
 }

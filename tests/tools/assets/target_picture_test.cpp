@@ -123,6 +123,13 @@ TEST_CASE("a picture in which everything or nothing is dark is refused in words"
         CHECK(Stage(gray_png(50, 40, plain)).refusal() == one_shade);
         CHECK(Stage(gray_png(1, 1, plain)).refusal() == one_shade);
     }
+    Stage dot(gray_png(200, 200,
+                       [](int x, int y) { return static_cast<std::uint8_t>(x == 99 && y == 99 ? 0 : 255); }));
+    CHECK(dot.refusal() == "accepted");
+    dot.recipe.low_pass = 100;
+    CHECK(dot.refusal() ==
+          "is of one shade throughout when it is blurred by 100 pixels; expected something dark on something "
+          "bright, so blur it less");
     Stage stage(gray_png(200, 160, disc));
     const std::string rest =
         "; expected something to be inscribed and something not, so name another threshold";

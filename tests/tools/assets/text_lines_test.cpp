@@ -35,6 +35,15 @@ TEST_CASE("text that cannot be drawn is refused in words", "[unit]") {
     CHECK(refusal("\u0085") == "the text has the control character U+0085 as its character 1" + control);
     CHECK(refusal(std::string("\0", 1)) ==
           "the text has the control character U+0000 as its character 1" + control);
+    const std::vector<std::pair<const char*, const char*>> traceless = {
+        {"\u00ad", "U+00AD"}, {"\u200b", "U+200B"}, {"\u200f", "U+200F"},
+        {"\u2028", "U+2028"}, {"\u2029", "U+2029"}, {"\u202e", "U+202E"},
+        {"\u2066", "U+2066"}, {"\ufeff", "U+FEFF"}, {"\U000e0041", "U+E0041"}};
+    for (const auto& [character, number] : traceless)
+        CHECK(refusal("a" + std::string(character) + "b") ==
+              "the text has the control character " + std::string(number) + " as its character 2" + control);
+    for (const char* drawn : {"\u00ae", "\u200c", "\u200d", "\u2027", "\u202f", "\ufe0f"})
+        CHECK(refusal("a" + std::string(drawn) + "b") == "accepted");
     CHECK(refusal(std::string(1001, 'x'), FaultKind::limit) ==
           "the text has 1001 characters; expected at most 1000: a web has room for a few words");
     CHECK(refusal(std::string(1000, 'x')) == "accepted");
