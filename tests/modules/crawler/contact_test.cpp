@@ -22,7 +22,7 @@ void set(Vec3Lanes& v, std::size_t i, const Vec3& to) { v.x[i] = to.x, v.y[i] = 
 /// One point on a level floor, its body along x.
 struct Point {
     Vec3 x, v, start, start_v, pressed;
-    double holds = 0;
+    double holds = 0, grip = 1;
 };
 
 struct Met {
@@ -45,7 +45,7 @@ Met meet(const Point& point, const Friction& friction, bool is_on = true, std::s
         if (i != at) each.v = {-1.0 + static_cast<double>(i), -2, 0.5}, each.x.y = -1e-4;
         set(touch.normal, i, normal);
         touch.depth[i] = -each.x.y;
-        touch.grip[i] = i == at ? 1 : 3;
+        touch.grip[i] = i == at ? point.grip : 3;
         set(landing.x, i, turned(each.x)), set(landing.v, i, turned(each.v));
         set(landing.start, i, turned(each.start)), set(landing.start_v, i, turned(each.start_v));
         set(landing.pressed, i, turned(each.pressed));
@@ -145,6 +145,8 @@ TEST_CASE("a point that falls is put onto the ground, and stops there for good",
     CHECK(met.friction == Approx(0.5 * (0.3 * 0.3 - 0.2 * 0.2)).epsilon(1e-9));
     CHECK(met.slip == Approx(0.0003).epsilon(1e-9));
     CHECK(met.contacts == 1);
+    falling.grip = 2;
+    CHECK(meet(falling, kScales).v.x == Approx(0.3 - 2 * 0.1 * 1).epsilon(1e-9));
 }
 
 TEST_CASE("a point that lies stays, borne by the reaction, and nothing is booked", "[unit]") {
@@ -206,7 +208,7 @@ TEST_CASE("points are met in their own lanes, on a ground that faces anywhere", 
     };
     const Vec3 normal{0.48, 0.6, 0.64}, forward{0.8, 0, -0.6};
     for (int round = 0; round < 500; ++round) {
-        Point point{{0, random.uniform(n++, -1e-3, 0), 0}, any(1), any(1e-3), any(1), any(0.1), 0};
+        Point point{{0, random.uniform(n++, -1e-3, 0), 0}, any(1), any(1e-3), any(1), any(0.1), 0, 1};
         point.pressed.y = std::abs(point.pressed.y);
         const Met level = meet(point, kScales, true, 0);
         for (std::size_t at = 0; at < 4; ++at) {

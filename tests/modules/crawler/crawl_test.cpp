@@ -598,3 +598,84 @@ TEST_CASE("a body that flies takes the curvature that its muscles ask for", "[un
         CHECK(norm(run.center() - Vec3{0, setup.build.width / 2, 0}) < 1e-13);
     }
 }
+
+TEST_CASE("what holds on hangs from a ceiling that it can bear, and else falls off", "[unit]") {
+    // Gravity pulls away from the floor. One side of the four corners hangs on to it for all of them.
+    for (const double adhesion : {0.0, 4.0, 8.0, 20.0}) {
+        Setup setup = bar();
+        setup.gravity = {0, 5, 0};
+        setup.friction.adhesion = adhesion;
+        setup.frame = 1e-3;
+        Run run(setup);
+        run.advance(0.05);
+        const bool holds = adhesion > 2 * 2 * 5;  // a sudden weight pulls twice as much as it does later
+        if (adhesion >= 20) CHECK(run.center().y < 0.55 * setup.build.width);
+        if (adhesion < 2 * 5) CHECK(run.center().y > 0.6 * setup.build.width);
+        if (holds) CHECK(run.books().contact > 0);
+    }
+}
+
+TEST_CASE("rings that muscles hump let go of the ground, and the rest hold on to it", "[unit]") {
+    Setup setup = worm(0, 0, 0);
+    setup.make_springs(1, 1, 1);  // so limp that every point is alone
+    setup.gait = "caterpillar";
+    setup.waves = 1.7;
+    setup.effort.lift = 1e-3;
+    setup.gravity = {0, 5, 0};
+    setup.friction.adhesion = 20;
+    setup.frame = 1e-3;
+    setup.step = 1e-4;  // in which nothing gets farther than the ground is felt
+    setup.period = 10;  // in which the wave goes nowhere soon
+    Run run(setup);
+    run.advance(0.02);
+    const double flown = 0.5 * 5 * 0.02 * 0.02;
+    std::vector<Flex> flexes(setup.build.segments);
+    Waves(*find_gait(setup.gait), WaveForm::sine, setup.waves, setup.build.segments)
+        .flex(0.002, {0, 0, 1, 0}, flexes);
+    int humped = 0;
+    for (std::size_t ring = 0; ring <= setup.build.segments; ++ring) {
+        const double bent = flexes[ring > 0 ? ring - 1 : 0].up + flexes[std::min<std::size_t>(ring, 19)].up;
+        if (std::abs(bent) < 0.05) continue;  // which may have changed
+        if (bent < 0) ++humped;
+        for (std::size_t j = 0; j < 2; ++j)
+            CHECK(run.x[4 * ring + j].y == Approx(bent < 0 ? flown : 0).margin(0.15 * flown));
+    }
+    CHECK(humped > 5);
+    CHECK(humped < 15);
+}
+
+TEST_CASE("every ring of a bent body rubs along its own spine", "[unit]") {
+    Setup setup = bar();
+    setup.make_springs(1, 1, 1);  // so limp that only the ground acts
+    setup.friction = {FrictionLaw::coulomb, 0.1, 0.4, 0.8};
+    setup.frame = setup.step = 1e-3;
+    Run run(setup);
+    std::vector<Vec3> middles;
+    for (std::size_t ring = 0; ring <= setup.build.segments; ++ring) {
+        const double angle = 0.3 * static_cast<double>(ring), c = std::cos(angle), s = std::sin(angle);
+        middles.push_back({0.02 * s, 0, 0.02 * c});
+        for (std::size_t j = 0; j < kCorners; ++j) {
+            const double width = setup.build.width;
+            run.x[4 * ring + j] =
+                middles[ring] + width * kRight[j] * Vec3{s, 0, c} + Vec3{0, width * (kUp[j] + 0.5), 0};
+            run.v[4 * ring + j] = {1, 0, 0};
+            if (kUp[j] < 0) run.reaction[4 * ring + j] = {0, kG * setup.build.point_mass(), 0};
+        }
+    }
+    run.advance();
+    for (std::size_t ring = 0; ring <= setup.build.segments; ++ring) {
+        Vec3 spine =
+            middles[std::min<std::size_t>(ring + 1, setup.build.segments)] - middles[ring > 0 ? ring - 1 : 0];
+        spine = spine / norm(spine);
+        const Vec3 side = cross({0, 1, 0}, spine);
+        for (std::size_t j = 0; j < kCorners; ++j) {
+            if (kUp[j] > 0) continue;
+            const Vec3 v = run.v[4 * ring + j];
+            const double along = dot(v, spine), aside = dot(v, side), pressing = kG * setup.step / norm(v);
+            const Vec3 expected =
+                v + pressing * (along < 0 ? 0.4 : 0.1) * along * spine + pressing * 0.8 * aside * side;
+            // Impulses are some 1e-3 m/s; the spine moves by 1e-6 of itself, and springs pull a little.
+            CHECK(distance(expected, {1, 0, 0}) < 1e-5);
+        }
+    }
+}
