@@ -184,7 +184,7 @@ TEST_CASE("a reader that hangs is ended as soon as a stop is asked for", "[extre
 
 TEST_CASE("signals of the terminal are ours, and none is kept from the reader", "[unit]") {
     const Interrupt interrupt;
-    const OnlyReader only("/usr/bin/cut -d' ' -f5 /proc/$$/stat\n/bin/grep SigBlk /proc/$$/status\n");
+    const OnlyReader only("/usr/bin/cut -d' ' -f5 /proc/$$/stat\nexec /bin/grep SigBlk /proc/self/status\n");
     const std::string said = only.find().read(shades(1, 1));
     CHECK(std::stoi(said) != ::getpgrp());
     CHECK_THAT(said, Catch::EndsWith("SigBlk:\t0000000000000000\n"));

@@ -63,8 +63,8 @@ class Inscriber {
 public:
     static constexpr const char* kContract = "inscriber/1";
 
-    /// `threads` is the web itself as it moves, to be looked at once time runs. What the scene asks to be written
-    /// and cannot be is a fault that the inscriber reports; the web is then plain, and nothing is run.
+    /// `threads` is the web itself as it moves, to be looked at once time runs. What the scene asks to be
+    /// written and cannot be is a fault that the inscriber reports; the web is then plain, and nothing is run.
     virtual void inscribe(WebDraft& draft, const Threads& threads) = 0;
     /// Whether the draft is to live as long as the web: who studies ways of writing goes on to change it, to no
     /// effect on the web.
