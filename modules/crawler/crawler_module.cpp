@@ -28,6 +28,7 @@ struct Pilot {
 /// Of all bodies together.
 struct Account {
     double start_energy = 0;  ///< J, at the start
+    double now = 0;           ///< s, that they crawled
     Books books;
 };
 /// Both are kept as numbers.
@@ -77,7 +78,12 @@ public:
     void restored() override {
         read_pilots();
         crawl_->set_books(account_.books);
-        for (std::uint32_t body = 0; body < lattice_.bodies; ++body) look_at(body);
+        for (std::uint32_t body = 0; body < lattice_.bodies; ++body) {
+            look_at(body);
+            hold(body);
+        }
+        crawl_->begin_frame(drives_, position_, velocity_, frame_step_);
+        crawl_->rewind();
     }
 
     void report(ModuleReport& report) override {
@@ -225,6 +231,14 @@ private:
         drive.effort[1] = effort_at(frame.time + frame.step, pilot.turn);
     }
 
+    /// Muscles stay as they are, so that springs have the lengths that they have now.
+    void hold(std::uint32_t body) noexcept {
+        const Pilot& pilot = pilots_[body];
+        const Effort effort = effort_at(account_.now, pilot.turn);
+        const double ease = ease_at(account_.now);
+        drives_[body] = {{pilot.cycles, pilot.cycles}, {effort, effort}, {ease, ease}};
+    }
+
     /// Muscles set in over the first period.
     double ease_at(double time) const noexcept {
         const double begun = std::min(1.0, time / crawler_.period);
@@ -259,7 +273,7 @@ private:
             const double change = std::abs(volume(lattice_, body_points(body)) / rest_volume_ - 1);
             pilot.journey.volume_error = std::max(pilot.journey.volume_error, change);
         }
-        now_ = now;
+        account_.now = now;
         write_pilots();
     }
 
@@ -287,7 +301,7 @@ private:
         double speed = 0, volume_error = 0;
         for (std::uint32_t body = 0; body < lattice_.bodies; ++body) {
             const Journey& journey = pilots_[body].journey;
-            speed += journey.speed(centers_[body], now_) / lattice_.bodies;
+            speed += journey.speed(centers_[body], account_.now) / lattice_.bodies;
             volume_error = std::max(volume_error, journey.volume_error);
         }
         const Books& books = crawl_->books();
@@ -296,7 +310,8 @@ private:
         report.measure("waves_per_length", crawler_.waves);
         report.measure("max_volume_error", volume_error);
         report.measure("mean_slip_m_s", books.contact > 0 ? books.slip / books.contact : 0);
-        report.measure("points_on_ground", now_ > 0 ? books.contact / now_ / lattice_.bodies : 0);
+        report.measure("points_on_ground",
+                       account_.now > 0 ? books.contact / account_.now / lattice_.bodies : 0);
     }
 
     void report_energy(ModuleReport& report) const {
@@ -343,7 +358,6 @@ private:
     std::vector<Vec3> centers_, center_velocities_;  // m, m/s, of mass
     std::vector<Drive> drives_;
     double rest_volume_ = 1;  // m^3
-    double now_ = 0;          // s
     Workers* workers_ = nullptr;
     const Input* keys_ = nullptr;
     std::unique_ptr<mass_spring::SpringSystem> system_;
