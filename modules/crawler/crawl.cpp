@@ -72,6 +72,23 @@ void Crawl::for_each_body(const F& f) noexcept {
         range(0, lattice_.bodies);
 }
 
+// Out of one face it may be into the next.
+void Crawl::lift_out(std::span<Vec3> x) {
+    constexpr int kPasses = 4;
+    const std::vector<Vec3> still(x.size());
+    for (int pass = 0; pass < kPasses; ++pass) {
+        if (auto* surface = std::get_if<SurfaceGround>(&ground_)) surface->look(x, still, 0);
+        std::visit(
+            [&](const auto& ground) {
+                for (std::size_t i = 0; i < x.size(); ++i) {
+                    const Touch touch = ground.touch(x[i], i);
+                    if (touch.depth > 0) x[i] += touch.depth * touch.normal;
+                }
+            },
+            ground_);
+    }
+}
+
 void Crawl::lay_down(std::span<const Vec3> x) {
     const auto& springs = system_->network().springs;
     laid_.resize(springs.size());

@@ -48,6 +48,8 @@ public:
     Crawl(mass_spring::SpringSystem& system, const Lattice& lattice, const Build& build, const Waves& waves,
           const Friction& friction, Ground ground, std::span<Vec3> reaction, double lag, Workers* workers);
 
+    /// Puts points of x (m) that are below the ground onto it.
+    void lift_out(std::span<Vec3> x);
     /// Bodies were laid down at x (m), where springs then hold nothing if drives say so.
     void lay_down(std::span<const Vec3> x);
     /// A frame of so many seconds begins at x (m), v (m/s); one drive for each body.

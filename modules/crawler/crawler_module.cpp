@@ -142,6 +142,7 @@ private:
         centers_.resize(lattice_.bodies);
         center_velocities_.resize(lattice_.bodies);
         rest_volume_ = volume(lattice_, body_points(0));
+        crawl_->lift_out(position_);
         crawl_->lay_down(position_);
         for (Drive& drive : drives_) drive.ease = {0, 0};
         crawl_->begin_frame(drives_, position_, velocity_, frame_step_);

@@ -6,6 +6,7 @@
 #include "lattice.hpp"
 #include "orbweaver/contracts/creatures.hpp"
 #include "orbweaver/contracts/patches.hpp"
+#include "orbweaver/contracts/surface.hpp"
 #include "run/snapshot.hpp"
 #include "sanitized.hpp"
 #include "scene/toml_reader.hpp"
@@ -218,6 +219,19 @@ TEST_CASE("who is dropped falls as far as gravity has it, and lands without gett
     CHECK(worm.measure("impact_loss_j") > 0.2 * fallen);
     const double lost = worm.measure("impact_loss_j") + worm.measure("damping_loss_j");
     CHECK(lost + worm.measure("friction_loss_j") == Approx(fallen + worm.measure("work_in_j")).epsilon(0.02));
+}
+
+TEST_CASE("who is laid down in a hollow begins out of the ground, which throws nobody up", "[unit]") {
+    const Opened snake("[surface]\nshape = \"height_field\"\nsize = \"2 m\"\nsubdivision = 16\n" + kSnake +
+                       "position = [0, 1, 0]\n");
+    const Surface& surface = *snake.session->find<Surface>();
+    for (const Vec3& p : snake.points()) {
+        const SurfaceHit nearest = surface.closest_point(p, 1);
+        CHECK(dot(p - surface.position(nearest.at), surface.normal(nearest.at.face)) > -1e-6);
+    }
+    snake.run(0.25);
+    CHECK(snake.measure("energy_gain_j") == 0);
+    CHECK(snake.measure("mean_speed_m_s") < 0.05);
 }
 
 TEST_CASE("a body in the air without gravity goes nowhere: muscles push on nothing", "[unit]") {
