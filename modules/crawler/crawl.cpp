@@ -72,19 +72,24 @@ void Crawl::for_each_body(const F& f) noexcept {
         range(0, lattice_.bodies);
 }
 
-void Crawl::lay_down(std::span<Vec3> x) {
-    constexpr int kRounds = 3;  // what is lifted off one face may come to lie below another
+// Out of one face it may be into the next.
+void Crawl::lift_out(std::span<Vec3> x) {
+    constexpr int kPasses = 4;
     const std::vector<Vec3> still(x.size());
-    for (int round = 0; round < kRounds; ++round) {
+    for (int pass = 0; pass < kPasses; ++pass) {
         if (auto* surface = std::get_if<SurfaceGround>(&ground_)) surface->look(x, still, 0);
         std::visit(
-            [x](const auto& ground) {
-                for (std::size_t i = 0; i < x.size(); ++i)
-                    if (const Touch touch = ground.touch(x[i], i); touch.depth > 0)
-                        x[i] += touch.depth * touch.normal;
+            [&](const auto& ground) {
+                for (std::size_t i = 0; i < x.size(); ++i) {
+                    const Touch touch = ground.touch(x[i], i);
+                    if (touch.depth > 0) x[i] += touch.depth * touch.normal;
+                }
             },
             ground_);
     }
+}
+
+void Crawl::lay_down(std::span<const Vec3> x) {
     const auto& springs = system_->network().springs;
     laid_.resize(springs.size());
     for (std::size_t i = 0; i < springs.size(); ++i) laid_[i] = distance(x[springs[i].a], x[springs[i].b]);

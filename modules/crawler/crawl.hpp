@@ -48,9 +48,10 @@ public:
     Crawl(mass_spring::SpringSystem& system, const Lattice& lattice, const Build& build, const Waves& waves,
           const Friction& friction, Ground ground, std::span<Vec3> reaction, double lag, Workers* workers);
 
-    /// Bodies are laid down at x (m), out of the ground where they are in it; there springs hold nothing if
-    /// drives say so.
-    void lay_down(std::span<Vec3> x);
+    /// Puts points of x (m) that are below the ground onto it.
+    void lift_out(std::span<Vec3> x);
+    /// Bodies were laid down at x (m), where springs then hold nothing if drives say so.
+    void lay_down(std::span<const Vec3> x);
     /// A frame of so many seconds begins at x (m), v (m/s); one drive for each body.
     void begin_frame(std::span<const Drive> drives, std::span<const Vec3> x, std::span<const Vec3> v,
                      double seconds);

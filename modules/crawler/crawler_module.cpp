@@ -14,6 +14,7 @@
 #include "orbweaver/contracts/input.hpp"
 #include "orbweaver/contracts/patches.hpp"
 #include "orbweaver/entry.hpp"
+#include "sketch.hpp"
 #include "skin.hpp"
 
 namespace orbweaver::crawler {
@@ -28,6 +29,7 @@ struct Pilot {
 /// Of all bodies together.
 struct Account {
     double start_energy = 0;  ///< J, at the start
+    double now = 0;           ///< s, that they crawled
     Books books;
 };
 /// Both are kept as numbers.
@@ -35,7 +37,7 @@ template <class T>
 constexpr std::size_t kNumbers = sizeof(T) / sizeof(double);
 
 /// One [crawler] table: bodies of one kind.
-class CrawlerModule final : public Module, public Creatures, public Patches {
+class CrawlerModule final : public Module, public Creatures, public Patches, public Sketch {
 public:
     void attach(Host& host) override {
         Diagnostics faults;
@@ -58,6 +60,8 @@ public:
         offer_telemetry(host);
         host.provide<Creatures>(*this);
         host.provide<Patches>(*this);
+        host.provide<Sketch>(*this);
+        debug_ = host.options().flag("debug");
     }
 
     void meet(Host& host) override {
@@ -77,7 +81,12 @@ public:
     void restored() override {
         read_pilots();
         crawl_->set_books(account_.books);
-        for (std::uint32_t body = 0; body < lattice_.bodies; ++body) look_at(body);
+        for (std::uint32_t body = 0; body < lattice_.bodies; ++body) {
+            look_at(body);
+            hold(body);
+        }
+        crawl_->begin_frame(drives_, position_, velocity_, frame_step_);
+        crawl_->rewind();
     }
 
     void report(ModuleReport& report) override {
@@ -98,6 +107,13 @@ public:
     std::string_view name() const noexcept override { return name_; }
     std::span<const Vec3> positions() const noexcept override { return centers_; }
     std::span<const Vec3> velocities() const noexcept override { return center_velocities_; }
+
+    bool wanted() const noexcept override { return debug_; }
+    std::span<const SketchLine> lines() override {
+        lines_.clear();
+        add_sketch(lattice_, crawler_.build, norm(gravity_), position_, reaction_, lines_);
+        return lines_;
+    }
 
     PatchLayout layout() const noexcept override { return skin_layout(lattice_); }
     PatchMap map() override {
@@ -136,6 +152,7 @@ private:
         centers_.resize(lattice_.bodies);
         center_velocities_.resize(lattice_.bodies);
         rest_volume_ = volume(lattice_, body_points(0));
+        crawl_->lift_out(position_);
         crawl_->lay_down(position_);
         for (Drive& drive : drives_) drive.ease = {0, 0};
         crawl_->begin_frame(drives_, position_, velocity_, frame_step_);
@@ -225,6 +242,14 @@ private:
         drive.effort[1] = effort_at(frame.time + frame.step, pilot.turn);
     }
 
+    /// Muscles stay as they are, so that springs have the lengths that they have now.
+    void hold(std::uint32_t body) noexcept {
+        const Pilot& pilot = pilots_[body];
+        const Effort effort = effort_at(account_.now, pilot.turn);
+        const double ease = ease_at(account_.now);
+        drives_[body] = {{pilot.cycles, pilot.cycles}, {effort, effort}, {ease, ease}};
+    }
+
     /// Muscles set in over the first period.
     double ease_at(double time) const noexcept {
         const double begun = std::min(1.0, time / crawler_.period);
@@ -259,7 +284,7 @@ private:
             const double change = std::abs(volume(lattice_, body_points(body)) / rest_volume_ - 1);
             pilot.journey.volume_error = std::max(pilot.journey.volume_error, change);
         }
-        now_ = now;
+        account_.now = now;
         write_pilots();
     }
 
@@ -287,7 +312,7 @@ private:
         double speed = 0, volume_error = 0;
         for (std::uint32_t body = 0; body < lattice_.bodies; ++body) {
             const Journey& journey = pilots_[body].journey;
-            speed += journey.speed(centers_[body], now_) / lattice_.bodies;
+            speed += journey.speed(centers_[body], account_.now) / lattice_.bodies;
             volume_error = std::max(volume_error, journey.volume_error);
         }
         const Books& books = crawl_->books();
@@ -296,7 +321,8 @@ private:
         report.measure("waves_per_length", crawler_.waves);
         report.measure("max_volume_error", volume_error);
         report.measure("mean_slip_m_s", books.contact > 0 ? books.slip / books.contact : 0);
-        report.measure("points_on_ground", now_ > 0 ? books.contact / now_ / lattice_.bodies : 0);
+        report.measure("points_on_ground",
+                       account_.now > 0 ? books.contact / account_.now / lattice_.bodies : 0);
     }
 
     void report_energy(ModuleReport& report) const {
@@ -343,13 +369,14 @@ private:
     std::vector<Vec3> centers_, center_velocities_;  // m, m/s, of mass
     std::vector<Drive> drives_;
     double rest_volume_ = 1;  // m^3
-    double now_ = 0;          // s
     Workers* workers_ = nullptr;
     const Input* keys_ = nullptr;
     std::unique_ptr<mass_spring::SpringSystem> system_;
     std::optional<Crawl> crawl_;
     std::unique_ptr<mass_spring::Simulation> simulation_;
     std::optional<Skin> skin_;  // made when somebody looks
+    bool debug_ = false;
+    std::vector<SketchLine> lines_;
 };
 
 }  // namespace

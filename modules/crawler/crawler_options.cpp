@@ -1,5 +1,7 @@
 #include "crawler_options.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -82,13 +84,15 @@ void check(const Options& options, const Crawler& crawler, Diagnostics& faults) 
         faults.push_back({options.where("seek.point"), "they are to go to a point and along a path at once",
                           "either 'seek' or 'follow_path'", "leave one out"});
     if (crawler.waves * kFewest > crawler.build.segments)
-        faults.push_back({options.where("waves"),
-                          "waves are shorter than " + std::to_string(static_cast<int>(kFewest)) + " segments",
-                          "at most " + std::to_string(crawler.build.segments / static_cast<int>(kFewest)) +
-                              " of them in " + std::to_string(crawler.build.segments) + " segments",
+        faults.push_back({options.where("waves"), fmt::format("waves are shorter than {} segments", kFewest),
+                          fmt::format("at most {} of them in {} segments", crawler.build.segments / kFewest,
+                                      crawler.build.segments),
                           "ask for fewer waves, or more segments"});
-    if (options.given("cliff.drop") && !options.has("cliff.edge"))
-        faults.push_back({options.where("cliff.drop"), "a cliff has no edge", "'cliff.edge', an x in m", ""});
+    for (const char* key : {"cliff.drop", "cliff.radius"})
+        if (options.given(key) && !options.has("cliff.edge")) {
+            faults.push_back({options.where(key), "a cliff has no edge", "'cliff.edge', an x in m", ""});
+            break;
+        }
 }
 
 Pose pose_along(const Vec3& middle, const Vec3& heading, const Vec3& up) {

@@ -103,6 +103,15 @@ TEST_CASE("headless, a scene maps its own physics and nothing else", "[scene]") 
         {"real_silk", {"web", "wind"}},
         {"stiff_strand", {"web"}},
         {"viscoelastic_silk", {"web", "wind"}},
+        {"worm", {"crawler", "surface"}},
+        {"snake", {"crawler", "surface"}},
+        {"sidewinder", {"crawler", "surface"}},
+        {"caterpillar", {"crawler", "surface"}},
+        {"grip", {"crawler", "surface"}},
+        {"worm_cliff", {"crawler"}},
+        {"caterpillar_branch", {"crawler", "surface"}},
+        {"snake_hill", {"crawler", "surface"}},
+        {"garden", {"crawler", "spider", "surface", "web", "wind"}},
     };
     for (const std::string& name : shipped_scenes()) {
         CAPTURE(name);
