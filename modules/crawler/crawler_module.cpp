@@ -36,6 +36,9 @@ struct Account {
 template <class T>
 constexpr std::size_t kNumbers = sizeof(T) / sizeof(double);
 
+/// Change of a body's volume by which it is no longer a bar.
+constexpr double kCrushed = 0.5;
+
 /// One [crawler] table: bodies of one kind.
 class CrawlerModule final : public Module, public Creatures, public Patches, public Sketch {
 public:
@@ -283,9 +286,20 @@ private:
             pilot.journey.go_on(centers_[body], now, pilot.cycles);
             const double change = std::abs(volume(lattice_, body_points(body)) / rest_volume_ - 1);
             pilot.journey.volume_error = std::max(pilot.journey.volume_error, change);
+            if (change > kCrushed) warn_of_crushing(body, change, now);
         }
         account_.now = now;
         write_pilots();
+    }
+
+    void warn_of_crushing(std::uint32_t body, double change, double now) {
+        if (!warned_of_crushing_)
+            crawler_.settings.warn(
+                fmt::format("crawler {} is crushed or turned inside out at t = {:.4g} s: its volume changed by "
+                            "{:.0f} %; stiffer "
+                            "springs (a higher 'strength', a shorter 'time_unit') would keep it whole",
+                            body, now, 100 * change));
+        warned_of_crushing_ = true;
     }
 
     void write_pilots() noexcept {
@@ -369,6 +383,7 @@ private:
     std::vector<Vec3> centers_, center_velocities_;  // m, m/s, of mass
     std::vector<Drive> drives_;
     double rest_volume_ = 1;  // m^3
+    bool warned_of_crushing_ = false;
     Workers* workers_ = nullptr;
     const Input* keys_ = nullptr;
     std::unique_ptr<mass_spring::SpringSystem> system_;

@@ -99,6 +99,43 @@ TEST_CASE("a run of crawlers that is saved and gone on from ends in the state an
     }
 }
 
+TEST_CASE("a worm that falls so fast that it is crushed says so, once, and one that lands whole does not",
+          "[extreme]") {
+    const Folder folder("crawler_crushed");
+    const auto fall = [&](const char* height, const char* duration) {
+        const std::string scene = folder.write(
+            "s.toml", std::string("[[crawler]]\nkind = \"worm\"\nheight = \"") + height + "\"\ncount = 2\n");
+        const Outcome outcome = run_program("run " + scene + " --quiet --duration " + duration);
+        CHECK(outcome.code == 0);
+        return outcome.text;
+    };
+    const std::string crushed = fall("2 m", "1");
+    CAPTURE(crushed);
+    const auto at = crushed.find("is crushed or turned inside out at t = 0.6");
+    REQUIRE(at != std::string::npos);
+    CHECK(crushed.find("is crushed", at + 1) == std::string::npos);
+    CHECK(fall("10 cm", "0.4").find("crushed") == std::string::npos);
+}
+
+TEST_CASE("steps that crawlers cannot take are refused, shortened or obeyed in words", "[extreme]") {
+    const Folder folder("crawler_unstable");
+    const auto run = [&](const char* policy) {
+        const std::string scene =
+            folder.write("s.toml", std::string("[[crawler]]\nkind = \"worm\"\nstep = 1\non_unstable = \"") +
+                                       policy + "\"\n");
+        return run_program("run " + scene + " --duration 0.5");
+    };
+    const Outcome stop = run("stop"), substep = run("substep"), obey = run("as_asked");
+    CAPTURE(stop.text, substep.text, obey.text);
+    CHECK(stop.code == 4);
+    CHECK(stop.text.find("longer than the largest stable one of symplectic_euler") != std::string::npos);
+    CHECK(stop.text.find("of crawler 0, particles") != std::string::npos);
+    CHECK(substep.code == 0);
+    CHECK(substep.text.find("warning: crawler: ") != std::string::npos);
+    CHECK(obey.code == 4);
+    CHECK(obey.text.find("is kept") != std::string::npos);
+}
+
 TEST_CASE("options of crawlers that cannot be are refused with file, line and what is expected", "[extreme]") {
     struct Case {
         const char* name;

@@ -27,7 +27,9 @@ struct Setup {
     Friction friction;
     Ground ground = Floor{0};
     const char* method = "symplectic_euler";
-    double step = 0;         ///< s; 0: as advised
+    double step = 0;  ///< s; 0: as advised
+    mass_spring::OnUnstable on_unstable = mass_spring::OnUnstable::substep;
+    std::int64_t max_substeps = 100000;
     double frame = 1 / 60.;  ///< s
     Vec3 gravity{0, -9.81, 0};
     std::vector<Pose> poses;  ///< none: on the floor along x
@@ -61,6 +63,8 @@ public:
         mass_spring::SimulationSettings settings;
         settings.method = mass_spring::find_method(setup.method);
         settings.step = setup.step;
+        settings.on_unstable = setup.on_unstable;
+        settings.max_substeps = setup.max_substeps;
         settings.warn = [this](const std::string&) { ++warnings; };
         begin();
         simulation_.emplace(system, settings, setup.frame, x, v);
@@ -108,6 +112,8 @@ public:
     }
     /// J, from nowhere.
     double energy_gain() const { return simulation_->energy_gain(); }
+    /// m
+    double error_estimate() const { return simulation_->error_estimate(); }
 
 private:
     std::vector<Pose> poses() const {
