@@ -154,6 +154,14 @@ TEST_CASE("a pace of 0 stands still, and one of -1 goes back where 1 came from",
     CHECK(back.center().x < -0.1);
 }
 
+TEST_CASE("a cycle at half the pace is a cycle all the same", "[unit]") {
+    const Opened worm(kWorm), slow(kWorm + "control = [{ pace = 0.5 }]\n");
+    worm.run(4);
+    slow.run(8);
+    CHECK(slow.measure("lengths_per_cycle") == Approx(worm.measure("lengths_per_cycle")).epsilon(0.2));
+    CHECK(slow.measure("mean_speed_m_s") == Approx(worm.measure("mean_speed_m_s") / 2).epsilon(0.2));
+}
+
 TEST_CASE("a script holds for its time and moves the first body alone", "[unit]") {
     const std::string two = kWorm + "count = 2\nspacing = \"10 cm\"\n";
     const Opened free(two), told(two + "control = [{ at = 1, for = 2, pace = 1, turn = 1 }]\n");
