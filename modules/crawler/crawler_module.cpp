@@ -162,7 +162,7 @@ private:
         crawl_->rewind();
         for (std::uint32_t body = 0; body < lattice_.bodies; ++body) {
             look_at(body);
-            pilots_[body].journey.mark = centers_[body];
+            pilots_[body].journey.start = pilots_[body].journey.mark = centers_[body];
         }
         account_.start_energy = system_->energy(position_, velocity_).total();
         write_pilots();
@@ -323,15 +323,16 @@ private:
     }
 
     void report_motion(ModuleReport& report) const {
-        double speed = 0, volume_error = 0;
+        double speed = 0, way = 0, volume_error = 0;
         for (std::uint32_t body = 0; body < lattice_.bodies; ++body) {
             const Journey& journey = pilots_[body].journey;
             speed += journey.speed(centers_[body], account_.now) / lattice_.bodies;
+            way += journey.way_a_cycle(centers_[body], pilots_[body].cycles) / lattice_.bodies;
             volume_error = std::max(volume_error, journey.volume_error);
         }
         const Books& books = crawl_->books();
         report.measure("mean_speed_m_s", speed);
-        report.measure("lengths_per_cycle", speed * crawler_.period / crawler_.build.length);
+        report.measure("lengths_per_cycle", way / crawler_.build.length);
         report.measure("waves_per_length", crawler_.waves);
         report.measure("max_volume_error", volume_error);
         report.measure("mean_slip_m_s", books.contact > 0 ? books.slip / books.contact : 0);

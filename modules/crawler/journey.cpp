@@ -4,13 +4,14 @@
 
 namespace orbweaver::crawler {
 
-void Journey::go_on(const Vec3& center, double now, double cycles) noexcept {
+void Journey::go_on(const Vec3& center, double now, double all) noexcept {
     constexpr double kRounding = 1e-9;  // of a cycle
-    const double ended = std::floor(std::abs(cycles) + kRounding);
+    const double ended = std::floor(std::abs(all) + kRounding);
     if (ended <= cycle) return;
     if (cycle > 0) {
         way += distance(mark, center);
         time += now - mark_time;
+        cycles += ended - cycle;
     }
     mark = center;
     mark_time = now;
@@ -19,7 +20,12 @@ void Journey::go_on(const Vec3& center, double now, double cycles) noexcept {
 
 double Journey::speed(const Vec3& center, double now) const noexcept {
     if (time > 0) return way / time;
-    return now > mark_time ? distance(mark, center) / (now - mark_time) : 0;
+    return now > 0 ? distance(start, center) / now : 0;
+}
+
+double Journey::way_a_cycle(const Vec3& center, double all) const noexcept {
+    if (cycles > 0) return way / cycles;
+    return all != 0 ? distance(start, center) / std::abs(all) : 0;
 }
 
 }  // namespace orbweaver::crawler

@@ -1,6 +1,7 @@
 #include "journey.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 using namespace orbweaver;
 using namespace orbweaver::crawler;
@@ -22,6 +23,7 @@ struct Walk {
         }
     }
     double speed() const { return journey.speed(center, time); }
+    double way() const { return journey.way_a_cycle(center, cycles); }
 };
 
 }  // namespace
@@ -51,14 +53,33 @@ TEST_CASE("what sways within a cycle is no way, but every cycle's own is, whiche
     CHECK(walk.journey.way == Approx(0.08));
 }
 
-TEST_CASE("before there are two cycles the speed is over what there was", "[unit]") {
+TEST_CASE("before there are two cycles speed and way are over all there was, at the end of the first too",
+          "[unit]") {
     Walk walk;
     CHECK(walk.speed() == 0);
+    CHECK(walk.way() == 0);
     walk.go(0.5, 1, {0.02, 0, 0});
     CHECK(walk.speed() == Approx(0.02));
-    walk.go(0.5, 1, {0.02, 0, 0});
-    walk.go(0.3, 1, {0.04, 0, 0});
+    CHECK(walk.way() == Approx(0.02));
+    walk.go(0.5, 1, {0.04, 0, 0});
+    CHECK(walk.speed() == Approx(0.03));
+    walk.go(0.5, 1, {0.06, 0, 0});
     CHECK(walk.speed() == Approx(0.04));
+    CHECK(walk.way() == Approx(0.04));
+}
+
+TEST_CASE("the way of a cycle is that of the gait's own cycles, at whatever pace they go", "[unit]") {
+    for (const double pace : {0.5, 1., 2., 5., -1.}) {
+        CAPTURE(pace);
+        Walk walk;
+        walk.go(8, pace, {0.04, 0, 0});
+        CHECK(walk.speed() == Approx(0.04));
+        CHECK(walk.way() == Approx(0.04 / std::abs(pace)));
+    }
+    Walk still;
+    still.go(2, 0, {0.04, 0, 0});  // pushed by somebody
+    CHECK(still.speed() == Approx(0.04));
+    CHECK(still.way() == 0);
 }
 
 TEST_CASE("cycles that go backward count as those that go forward, and a pause lasts as long as it does",
