@@ -179,7 +179,12 @@ private:
     /// Well within what the springs alone allow: near that limit, points that touch the ground shake on it.
     void choose_step() {
         constexpr double kShare = 0.6;
-        const double stable = advise(*system_, position_, *crawler_.settings.method).stable_step;
+        // All bodies are alike.
+        const Lattice one{1, lattice_.segments};
+        const mass_spring::Network network = make_network(one, crawler_.build);
+        mass_spring::SpringSystem springs(network, nullptr);
+        springs.set_surroundings({gravity_, crawler_.drag, {}});
+        const double stable = advise(springs, body_points(0), *crawler_.settings.method).stable_step;
         if (stable > 0 && std::isfinite(stable)) crawler_.settings.step = kShare * stable;
     }
 

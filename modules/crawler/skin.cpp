@@ -16,7 +16,7 @@ constexpr std::uint32_t kRowsASegment = 24;  ///< texels
 constexpr std::uint32_t kMostRows = 2048;
 
 /// Control points are so much farther out than masses that the spline through them lies on the ground.
-constexpr double kOut = 1.06;
+constexpr double kOut = 48.0 / 44;
 /// Corners in the order of Patches.
 constexpr std::array<std::uint32_t, kCorners> kOrder{1, 0, 3, 2};
 
