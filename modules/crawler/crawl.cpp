@@ -72,20 +72,26 @@ void Crawl::for_each_body(const F& f) noexcept {
         range(0, lattice_.bodies);
 }
 
+// As std::visit, which may throw.
+template <class F>
+void Crawl::with_ground(const F& f) noexcept {
+    if (const auto* floor = std::get_if<Floor>(&ground_)) f(*floor);
+    if (const auto* cliff = std::get_if<Cliff>(&ground_)) f(*cliff);
+    if (const auto* surface = std::get_if<SurfaceGround>(&ground_)) f(*surface);
+}
+
 // Out of one face it may be into the next.
 void Crawl::lift_out(std::span<Vec3> x) {
     constexpr int kPasses = 4;
     const std::vector<Vec3> still(x.size());
     for (int pass = 0; pass < kPasses; ++pass) {
         if (auto* surface = std::get_if<SurfaceGround>(&ground_)) surface->look(x, still, 0);
-        std::visit(
-            [&](const auto& ground) {
-                for (std::size_t i = 0; i < x.size(); ++i) {
-                    const Touch touch = ground.touch(x[i], i);
-                    if (touch.depth > 0) x[i] += touch.depth * touch.normal;
-                }
-            },
-            ground_);
+        with_ground([&](const auto& ground) {
+            for (std::size_t i = 0; i < x.size(); ++i) {
+                const Touch touch = ground.touch(x[i], i);
+                if (touch.depth > 0) x[i] += touch.depth * touch.normal;
+            }
+        });
     }
 }
 
@@ -140,9 +146,8 @@ void Crawl::before_step(std::span<const double> x, std::span<const double> v, do
 
 void Crawl::after_step(std::span<double> x, std::span<double> v, double h) noexcept {
     elapsed_ += h;
-    std::visit(
-        [&](const auto& ground) { for_each_body([&](std::uint32_t body) { meet(ground, body, x, v, h); }); },
-        ground_);
+    with_ground(
+        [&](const auto& ground) { for_each_body([&](std::uint32_t body) { meet(ground, body, x, v, h); }); });
 }
 
 /// m/s^2, that it takes to tear a ring off: nothing where muscles hump it.

@@ -80,6 +80,8 @@ private:
 
     template <class F>
     void for_each_body(const F& f) noexcept;
+    template <class F>
+    void with_ground(const F& f) noexcept;
     void find_lengths(std::uint32_t body, double share) noexcept;
     double holds(std::size_t ring, const Body& body) const noexcept;
     template <class AnyGround>

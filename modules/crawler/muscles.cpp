@@ -38,7 +38,7 @@ ORBWEAVER_INLINE void set_segment(double a, double b, double length, const Flex&
     const double middle = length * (1 + flex.strain), side = length * flex.side / 2, up = length * flex.up / 2;
     store(rest, lengths_between(a, b, middle, side, up, kSame, kSame));
     store(rest + kCorners, lengths_between(a, b, middle, side, up, kSame, kNext));
-    store(rest + 2 * kCorners, lengths_between(a, b, middle, side, up, kNext, kSame));
+    store(rest + std::size_t{2} * kCorners, lengths_between(a, b, middle, side, up, kNext, kSame));
 }
 
 }  // namespace
