@@ -176,7 +176,8 @@ std::string Reader::read(const picture::GrayPicture& picture, const std::string&
 std::string alphabet_of(const std::string& text) {
     std::string alphabet;
     for (const auto& [first, last] : {std::pair{'A', 'Z'}, std::pair{'a', 'z'}, std::pair{'0', '9'}})
-        if (std::any_of(text.begin(), text.end(), [&](char each) { return each >= first && each <= last; }))
+        if (std::any_of(text.begin(), text.end(),
+                        [first = first, last = last](char each) { return each >= first && each <= last; }))
             for (char each = first; each <= last; ++each) alphabet += each;
     for (const std::string_view each : letters_of(text))
         if (alphabet.find(each) == std::string::npos) alphabet += each;
