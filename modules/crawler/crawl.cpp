@@ -126,7 +126,7 @@ void Crawl::find_lengths(std::uint32_t number, double share) noexcept {
     body.muscles.lengths(body.flexes, body.rest);
     const std::size_t first = lattice_.ring_spring(number, 0);
     const double ease = std::lerp(drive.ease[0], drive.ease[1], share);
-    if (ease < 1)
+    if (ease < 1 && !laid_.empty())
         for (std::size_t i = 0; i < body.rest.size(); ++i)
             body.rest[i] = std::lerp(laid_[first + i], body.rest[i], ease);
     double* next = system_->next_rest_lengths().data();

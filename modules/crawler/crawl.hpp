@@ -20,7 +20,7 @@ struct Drive {
     std::array<double, 2> cycles{};  ///< of the gait, since the start
     std::array<Effort, 2> effort{};
     /// How far springs are of the lengths that muscles ask for, and no more of those that they had as the body
-    /// was laid down.
+    /// was laid down, if it was.
     std::array<double, 2> ease{1, 1};
 };
 

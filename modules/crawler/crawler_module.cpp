@@ -7,32 +7,26 @@
 
 #include "crawl.hpp"
 #include "crawler_options.hpp"
-#include "journey.hpp"
 #include "manifest_text.hpp"
 #include "mass_spring/simulation.hpp"
 #include "orbweaver/contracts/creatures.hpp"
 #include "orbweaver/contracts/input.hpp"
 #include "orbweaver/contracts/patches.hpp"
 #include "orbweaver/entry.hpp"
+#include "pilot.hpp"
 #include "sketch.hpp"
 #include "skin.hpp"
 
 namespace orbweaver::crawler {
 namespace {
 
-/// What a body goes on from, besides its points; numbers of the state.
-struct Pilot {
-    double cycles = 0;  ///< of the gait, since the start
-    double turn = 0;    ///< 1: as far to the left as it turns
-    Journey journey;
-};
 /// Of all bodies together.
 struct Account {
     double start_energy = 0;  ///< J, at the start
     double now = 0;           ///< s, that they crawled
     Books books;
 };
-/// Both are kept as numbers.
+/// That and pilots are kept as numbers.
 template <class T>
 constexpr std::size_t kNumbers = sizeof(T) / sizeof(double);
 
@@ -73,7 +67,9 @@ public:
 
     void run(Phase phase, const Frame& frame) override {
         if (phase == Phase::act) {
-            for (std::uint32_t body = 0; body < lattice_.bodies; ++body) steer(body, frame);
+            for (std::uint32_t body = 0; body < lattice_.bodies; ++body)
+                drives_[body] =
+                    go_on(crawler_, command_for(body, frame.time), frame.time, frame.step, pilots_[body]);
         } else {
             crawl_->begin_frame(drives_, position_, velocity_, frame.step);
             simulation_->advance(frame.index, frame.time);
@@ -86,7 +82,7 @@ public:
         crawl_->set_books(account_.books);
         for (std::uint32_t body = 0; body < lattice_.bodies; ++body) {
             look_at(body);
-            hold(body);
+            drives_[body] = hold(crawler_, pilots_[body], account_.now);
         }
         crawl_->begin_frame(drives_, position_, velocity_, frame_step_);
         crawl_->rewind();
@@ -95,7 +91,7 @@ public:
     void report(ModuleReport& report) override {
         report.method = crawler_.settings.method->name;
         report.steps = simulation_->steps();
-        report.memory_bytes = simulation_->memory_bytes() + crawl_->memory_bytes() + skin_memory();
+        report.memory_bytes = memory_bytes();
         report.has_error = true;
         report.error = {simulation_->error_estimate(), "m", simulation_->error_method(),
                         simulation_->error_seconds()};
@@ -157,7 +153,7 @@ private:
         rest_volume_ = volume(lattice_, body_points(0));
         crawl_->lift_out(position_);
         crawl_->lay_down(position_);
-        for (Drive& drive : drives_) drive.ease = {0, 0};
+        for (Drive& drive : drives_) drive = hold(crawler_, {}, 0);
         crawl_->begin_frame(drives_, position_, velocity_, frame_step_);
         crawl_->rewind();
         for (std::uint32_t body = 0; body < lattice_.bodies; ++body) {
@@ -203,71 +199,18 @@ private:
         return std::span<const Vec3>(position_).subspan(lattice_.point(body, 0), lattice_.points_a_body());
     }
 
-    /// From the middle of its rear half to that of its front half; up is what its rings say on the whole.
     Pose heading(std::uint32_t body) const noexcept {
-        const auto points = body_points(body);
-        const std::uint32_t half = lattice_.rings() / 2;
-        Vec3 rear, front, up;
-        for (std::uint32_t ring = 0; ring < lattice_.rings(); ++ring) {
-            const Vec3* corners = &points[std::size_t{kCorners} * ring];
-            if (ring < half) rear += ring_middle(corners);
-            if (ring >= lattice_.rings() - half) front += ring_middle(corners);
-            up += corners[2] + corners[3] - corners[0] - corners[1];
-        }
-        const Vec3 along = front - rear;
-        const double length = norm(along);
-        const Vec3 forward = length > 0 ? along / length : Vec3{1, 0, 0};
-        up = across(up, forward);
-        const double height = norm(up);
-        return {centers_[body], forward, height > 0 ? up / height : Vec3{0, 1, 0}};
+        return heading_of(lattice_, body_points(body), centers_[body]);
     }
 
+    /// The first one may be told by hand.
     Command command_for(std::uint32_t body, double time) const {
         if (body == 0 && keys_ != nullptr) {
             const InputEvents& held = keys_->latest();
             return {static_cast<double>(held.walk), static_cast<double>(held.turn)};
         }
-        if (body == 0)
-            if (const auto told = command_at(crawler_.script, time)) return *told;
-        if (!crawler_.seek && !crawler_.path) return {};
-        const Pose pose = heading(body);
-        const Vec3 aim = crawler_.seek ? *crawler_.seek : aim_along(*crawler_.path, pose.middle);
-        return {1, turn_towards(pose.middle, pose.forward, pose.up, aim)};
-    }
-
-    /// Turns set in over a period, as all muscles do in the first one.
-    void steer(std::uint32_t body, const Frame& frame) {
-        Pilot& pilot = pilots_[body];
-        const Command command = command_for(body, frame.time);
-        const double share = std::min(1.0, frame.step / crawler_.period);
-        Drive& drive = drives_[body];
-        drive.cycles[0] = pilot.cycles;
-        drive.effort[0] = effort_at(frame.time, pilot.turn);
-        drive.ease = {ease_at(frame.time), ease_at(frame.time + frame.step)};
-        pilot.cycles += command.pace * frame.step / crawler_.period;
-        pilot.turn += share * (command.turn - pilot.turn);
-        drive.cycles[1] = pilot.cycles;
-        drive.effort[1] = effort_at(frame.time + frame.step, pilot.turn);
-    }
-
-    /// Muscles stay as they are, so that springs have the lengths that they have now.
-    void hold(std::uint32_t body) noexcept {
-        const Pilot& pilot = pilots_[body];
-        const Effort effort = effort_at(account_.now, pilot.turn);
-        const double ease = ease_at(account_.now);
-        drives_[body] = {{pilot.cycles, pilot.cycles}, {effort, effort}, {ease, ease}};
-    }
-
-    /// Muscles set in over the first period.
-    double ease_at(double time) const noexcept {
-        const double begun = std::min(1.0, time / crawler_.period);
-        return begun * begun * (3 - 2 * begun);
-    }
-
-    Effort effort_at(double time, double turn) const noexcept {
-        const double ease = ease_at(time);
-        const Effort& full = crawler_.effort;
-        return {ease * full.strain, ease * full.bend, ease * full.lift, turn * full.turn};
+        const auto told = body == 0 ? command_at(crawler_.script, time) : std::nullopt;
+        return told ? *told : own_command(crawler_, heading(body));
     }
 
     void look_at(std::uint32_t body) noexcept {
@@ -373,7 +316,14 @@ private:
                            of_ring ? "ring" : "segment", within / kEach, body, spring.a, spring.b);
     }
 
-    std::size_t skin_memory() const noexcept { return skin_ ? skin_->memory_bytes() : 0; }
+    std::size_t memory_bytes() const noexcept {
+        return simulation_->memory_bytes() + crawl_->memory_bytes() +
+               network_.springs.capacity() * sizeof(mass_spring::Spring) +
+               network_.mass.capacity() * sizeof(double) + network_.fixed.capacity() +
+               pilots_.capacity() * sizeof(Pilot) + drives_.capacity() * sizeof(Drive) +
+               (centers_.capacity() + center_velocities_.capacity()) * sizeof(Vec3) +
+               lines_.capacity() * sizeof(SketchLine) + (skin_ ? skin_->memory_bytes() : 0);
+    }
 
     Vec3 gravity_;  // m/s^2
     Crawler crawler_;

@@ -67,14 +67,8 @@ void read_settings(const Options& options, Crawler& into) {
     into.settings.method = find_method(options.text("method"));
     into.settings.step = number_or(options, "step", 0);
     into.settings.max_substeps = options.integer("max_substeps");
-    const std::string& unstable = options.text("on_unstable");
-    into.settings.on_unstable = unstable == "stop"       ? OnUnstable::stop
-                                : unstable == "as_asked" ? OnUnstable::as_asked
-                                                         : OnUnstable::substep;
-    const std::string& solver = options.text("linear_solver");
-    into.linear_solver = solver == "auto"       ? LinearSolverKind::automatic
-                         : solver == "cholesky" ? LinearSolverKind::cholesky
-                                                : LinearSolverKind::conjugate_gradients;
+    into.settings.on_unstable = on_unstable_named(options.text("on_unstable"));
+    into.linear_solver = linear_solver_named(options.text("linear_solver"));
 }
 
 /// Two goals at once, and waves that the segments do not resolve.

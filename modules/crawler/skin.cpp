@@ -24,6 +24,7 @@ constexpr std::array<std::uint32_t, kCorners> kOrder{1, 0, 3, 2};
 struct Spot {
     double along = 0;   ///< 0 at the tail, 1 at the head
     double around = 0;  ///< turns from the middle of the back, -0.5 to 0.5
+    const RandomStream& random;
 };
 
 struct Shade {
@@ -38,8 +39,7 @@ double smooth(double low, double high, double x) noexcept {
 Vec3 mix(const Vec3& a, const Vec3& b, double share) noexcept { return a + share * (b - a); }
 
 /// Smooth noise of period `period` in x, from 0 to 1.
-double noise(double x, double y, std::uint64_t period) noexcept {
-    static const RandomStream random(0, "skin");
+double noise(const RandomStream& random, double x, double y, std::uint64_t period) noexcept {
     const double fx = std::floor(x), fy = std::floor(y);
     const auto at = [&](double i, double j) {
         const auto column = static_cast<std::uint64_t>(i) % period, row = static_cast<std::uint64_t>(j);
@@ -61,19 +61,19 @@ Shade snake_shade(const Spot& spot) noexcept {
     const double plate = 0.8 - 0.8 * smooth(0.6, 1, std::abs(y));
     const double saddle = smooth(0.15, 0.55,
                                  std::cos(2 * std::numbers::pi * kSaddles * spot.along) -
-                                     6 * std::abs(spot.around) + 0.4 * noise(column, row / 3, 26));
+                                     6 * std::abs(spot.around) + 0.4 * noise(spot.random, column, row / 3, 26));
     Vec3 back = mix({0.56, 0.47, 0.30}, {0.22, 0.15, 0.09}, saddle);
     back = mix(back, {0.70, 0.62, 0.42}, 0.35 * smooth(0.16, 0.3, std::abs(spot.around)));
     back = (0.72 + 0.38 * std::min(1.0, dome)) * back;
     return {mix(back, (0.85 + 0.15 * plate) * Vec3{0.84, 0.79, 0.62}, belly), std::lerp(dome, plate, belly)};
 }
 
-/// Rings, three to a segment of the lattice at most, wrinkled; a saddle near the head.
+/// Rings, wrinkled; a saddle near the head.
 Shade worm_shade(const Spot& spot) noexcept {
     constexpr double kRings = 90;
     const double saddle = smooth(0.70, 0.72, spot.along) * (1 - smooth(0.79, 0.81, spot.along));
     const double ring = 0.5 + 0.5 * std::cos(2 * std::numbers::pi * kRings * spot.along);
-    const double wrinkle = noise((spot.around + 0.5) * 40, spot.along * 400, 40);
+    const double wrinkle = noise(spot.random, (spot.around + 0.5) * 40, spot.along * 400, 40);
     Vec3 skin = mix({0.46, 0.22, 0.20}, {0.72, 0.48, 0.42}, smooth(0.1, 0.45, std::abs(spot.around)));
     skin = mix(skin, {0.74, 0.50, 0.38}, saddle);
     const double height = (1 - 0.6 * saddle) * (1 - std::pow(1 - ring, 3)) * 0.8 + 0.2 * wrinkle;
@@ -89,7 +89,7 @@ Shade caterpillar_shade(const Spot& spot) noexcept {
     const double line = smooth(0.2, 0.22, side) * (1 - smooth(0.26, 0.28, side));
     const double spots = 1 - smooth(0.03, 0.045, std::hypot(side - 0.13, (within - 0.5) * 0.25));
     const double head = smooth(0.965, 0.975, spot.along);
-    const double fine = noise((spot.around + 0.5) * 60, spot.along * 260, 60);
+    const double fine = noise(spot.random, (spot.around + 0.5) * 60, spot.along * 260, 60);
     Vec3 skin = mix({0.36, 0.58, 0.16}, {0.55, 0.70, 0.30}, smooth(0.28, 0.45, side));
     skin = mix(skin, {0.92, 0.90, 0.55}, line);
     skin = mix(skin, {0.10, 0.08, 0.06}, spots);
@@ -146,12 +146,13 @@ Skin::Skin(std::string_view kind, const Lattice& lattice, const Build& build)
     gloss_ = look.gloss;
     for (std::uint32_t ring = 0; ring < lattice.rings(); ++ring)
         thickness_.push_back(look.thickness(static_cast<double>(ring) / lattice.segments));
+    const RandomStream random(0, "skin");
     texels_.reserve(std::size_t{4} * kColumns * rows_);
     for (std::uint32_t row = 0; row < rows_; ++row)
         for (std::uint32_t column = 0; column < kColumns; ++column) {
             // The belly's middle lies an eighth of a turn after the first point.
             const double turns = (column + 0.5) / kColumns - 0.625;
-            const Shade shade = look.shade({(row + 0.5) / rows_, turns < -0.5 ? turns + 1 : turns});
+            const Shade shade = look.shade({(row + 0.5) / rows_, turns < -0.5 ? turns + 1 : turns, random});
             for (const double each : {shade.color.x, shade.color.y, shade.color.z, shade.height})
                 texels_.push_back(byte_of(each));
         }

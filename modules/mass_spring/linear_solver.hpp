@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "network.hpp"
 #include "orbweaver/vec3.hpp"
@@ -34,6 +35,11 @@ enum class LinearSolverKind : std::uint8_t {
     cholesky,   ///< whatever it takes
     conjugate_gradients
 };
+/// By the name that scenes give it; any other is conjugate_gradients.
+inline LinearSolverKind linear_solver_named(std::string_view name) noexcept {
+    if (name == "cholesky") return LinearSolverKind::cholesky;
+    return name == "auto" ? LinearSolverKind::automatic : LinearSolverKind::conjugate_gradients;
+}
 
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, const Network& network);
 

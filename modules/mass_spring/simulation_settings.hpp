@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "method.hpp"
 
@@ -11,6 +12,11 @@ namespace orbweaver::mass_spring {
 
 /// What to do when the asked step is longer than the adviser's.
 enum class OnUnstable : std::uint8_t { substep, stop, as_asked };
+/// By the name that scenes give it; any other is `substep`.
+inline OnUnstable on_unstable_named(std::string_view name) noexcept {
+    if (name == "stop") return OnUnstable::stop;
+    return name == "as_asked" ? OnUnstable::as_asked : OnUnstable::substep;
+}
 
 struct SimulationSettings {
     const MethodInfo* method = nullptr;

@@ -6,19 +6,6 @@ namespace orbweaver::web {
 
 namespace {
 
-using mass_spring::LinearSolverKind;
-using mass_spring::OnUnstable;
-
-OnUnstable read_on_unstable(const std::string& name) {
-    if (name == "stop") return OnUnstable::stop;
-    return name == "as_asked" ? OnUnstable::as_asked : OnUnstable::substep;
-}
-
-LinearSolverKind read_linear_solver(const std::string& name) {
-    if (name == "cholesky") return LinearSolverKind::cholesky;
-    return name == "auto" ? LinearSolverKind::automatic : LinearSolverKind::conjugate_gradients;
-}
-
 std::string methods_with_tolerance() {
     std::string names;
     for (const mass_spring::MethodInfo& method : mass_spring::methods())
@@ -51,8 +38,8 @@ Motion read_motion(const Options& options, Diagnostics& faults) {
     Motion motion;
     mass_spring::SimulationSettings& settings = motion.settings;
     settings.method = mass_spring::find_method(options.text("method"));
-    settings.on_unstable = read_on_unstable(options.text("on_unstable"));
-    motion.linear_solver = read_linear_solver(options.text("linear_solver"));
+    settings.on_unstable = mass_spring::on_unstable_named(options.text("on_unstable"));
+    motion.linear_solver = mass_spring::linear_solver_named(options.text("linear_solver"));
     settings.max_substeps = options.integer("max_substeps");
     const double tolerance = options.has("tolerance") ? options.number("tolerance") : 0;
     if (settings.method == nullptr) {
