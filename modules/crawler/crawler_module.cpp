@@ -209,7 +209,7 @@ private:
             const InputEvents& held = keys_->latest();
             return {static_cast<double>(held.walk), static_cast<double>(held.turn)};
         }
-        const auto told = body == 0 ? command_at(crawler_.script, time) : std::nullopt;
+        const auto told = body == 0 ? command_in<Command>(crawler_.script, time) : std::nullopt;
         return told ? *told : own_command(crawler_, heading(body));
     }
 

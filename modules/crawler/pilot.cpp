@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "orbweaver/polyline.hpp"
+
 namespace orbweaver::crawler {
 
 namespace {
@@ -38,7 +40,10 @@ Pose heading_of(const Lattice& lattice, std::span<const Vec3> points, const Vec3
 
 Command own_command(const Crawler& crawler, const Pose& heading) noexcept {
     if (!crawler.seek && !crawler.path) return {};
-    const Vec3 aim = crawler.seek ? *crawler.seek : aim_along(*crawler.path, heading.middle);
+    const Vec3 aim =
+        crawler.seek
+            ? *crawler.seek
+            : ahead_on(crawler.path->points, crawler.path->loop, heading.middle, crawler.path->ahead).point;
     return {1, turn_towards(heading.middle, heading.forward, heading.up, aim)};
 }
 

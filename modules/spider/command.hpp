@@ -1,7 +1,8 @@
 #pragma once
 
 #include <optional>
-#include <vector>
+
+#include "orbweaver/timed.hpp"
 
 namespace orbweaver::spider {
 
@@ -12,14 +13,7 @@ struct Command {
 };
 
 /// Keys that are held, told beforehand.
-struct TimedCommand {
-    double begin = 0, end = 0;  ///< s
-    Command command;
-};
-
-/// What `script`, in order of its begins, says of the frame that begins at `time` (s): of two at a time, the
-/// later one. Ends and begins that rounding puts just beside a frame's begin are at it.
-std::optional<Command> command_at(const std::vector<TimedCommand>& script, double time) noexcept;
+using TimedCommand = Timed<Command>;
 
 /// What keys say that are held (see InputEvents); nothing where none is. `fastest`: m/s, and degrees a second.
 std::optional<Command> command_of_keys(int walk, int turn, const Command& fastest) noexcept;

@@ -235,7 +235,7 @@ private:
         const Command fastest{conduct_.pace.top_speed, conduct_.turn_rate};
         std::optional<Command> command;
         if (keys_ != nullptr) command = command_of_keys(keys_->latest().walk, keys_->latest().turn, fastest);
-        return command ? command : command_at(script_, time);
+        return command ? command : command_in<Command>(script_, time);
     }
 
     void advance_one(std::size_t i, const std::optional<Command>& command, double dt) noexcept {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "orbweaver/polyline.hpp"
+
 namespace orbweaver::spider {
 namespace {
 
@@ -23,13 +25,6 @@ Vec3 foreseen(const Agent& agent, const Agent& other, double horizon) noexcept {
     const double divisor = below >= 0 ? std::sqrt(below) - b : 0;
     const double time = divisor > 0 ? std::min(horizon, c / divisor) : horizon;
     return other.position + time * v;
-}
-
-Vec3 nearest_on(const Vec3& a, const Vec3& b, const Vec3& point, double& share) noexcept {
-    const Vec3 way = b - a;
-    const double square = dot(way, way);
-    share = square > 0 ? std::clamp(dot(point - a, way) / square, 0.0, 1.0) : 0;
-    return a + share * way;
 }
 
 }  // namespace
@@ -55,29 +50,9 @@ Vec3 evade(const Agent& agent, const Agent& hunter, double horizon) noexcept {
 }
 
 Vec3 follow_path(const Agent& agent, std::span<const Vec3> points, bool loop, double ahead) noexcept {
-    const std::size_t count = points.size();
-    if (count < 2) return count == 0 ? Vec3{} : arrive(agent, points[0], ahead);
-    const std::size_t pieces = loop ? count : count - 1;
-    const auto end_of = [&](std::size_t piece) { return points[(piece + 1) % count]; };
-    std::size_t nearest = 0;
-    double share = 0, least = HUGE_VAL;
-    for (std::size_t i = 0; i < pieces; ++i) {
-        double here = 0;
-        const double off = distance(nearest_on(points[i], end_of(i), agent.position, here), agent.position);
-        if (off >= least) continue;
-        least = off;
-        nearest = i;
-        share = here;
-    }
-    double left = ahead;
-    for (std::size_t walked = 0; walked < pieces && (loop || nearest < pieces); ++walked, share = 0) {
-        const double length = distance(points[nearest], end_of(nearest)), rest = (1 - share) * length;
-        if (left <= rest && length > 0)
-            return seek(agent, points[nearest] + (share + left / length) * (end_of(nearest) - points[nearest]));
-        left -= rest;
-        nearest = loop ? (nearest + 1) % count : nearest + 1;
-    }
-    return arrive(agent, points.back(), ahead);
+    if (points.empty()) return {};
+    const PointAhead aim = ahead_on(points, loop, agent.position, ahead);
+    return aim.is_end ? arrive(agent, aim.point, ahead) : seek(agent, aim.point);
 }
 
 Vec3 avoid_obstacles(const Agent& agent, std::span<const Obstacle> obstacles, double horizon) noexcept {
