@@ -26,15 +26,34 @@ vec3 lit_body(vec3 paint, float gloss, vec3 n, vec3 v) {
 }
 )";
 
-void send_body_light(const Gl& gl, const Object& program, const SkyLight& light, const KeyLight& key) {
+void use_body_program(const Gl& gl, const Object& program, const Vec3& origin, const BodyPicture& picture,
+                      const SkyLight& light, const KeyLight& key) {
+    const Camera& camera = picture.camera;
+    const Camera local{camera.position - origin, camera.target - origin, camera.fov_degrees};
+    const auto [near, far] = clip_depths(camera);
+    const auto matrix = view_projection(local, static_cast<double>(picture.width) / picture.height, near, far);
     const auto uniform = [&](const std::string& name) {
         return gl.GetUniformLocation(program.name(), name.c_str());
     };
+    gl.UseProgram(program.name());
+    gl.UniformMatrix4fv(uniform("view_projection"), 1, GL_FALSE, matrix.data());
+    gl.Uniform3f(uniform("eye"), static_cast<float>(local.position.x), static_cast<float>(local.position.y),
+                 static_cast<float>(local.position.z));
     for (std::size_t f = 0; f < kFaces; ++f)
         gl.Uniform3f(uniform("light[" + std::to_string(f) + "]"), light[f][0], light[f][1], light[f][2]);
     gl.Uniform3f(uniform("key_direction"), static_cast<float>(key.direction.x),
                  static_cast<float>(key.direction.y), static_cast<float>(key.direction.z));
     gl.Uniform3f(uniform("key_light"), key.light[0], key.light[1], key.light[2]);
+}
+
+void draw_bodies(const Gl& gl, GLsizei corners, GLsizei bodies) {
+    gl.Disable(GL_BLEND);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.Enable(GL_CULL_FACE);
+    gl.CullFace(GL_BACK);
+    gl.DrawElementsInstanced(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr, bodies);
+    gl.Disable(GL_CULL_FACE);
+    gl.Disable(GL_DEPTH_TEST);
 }
 
 }  // namespace orbweaver::view

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "camera.hpp"
 #include "gl.hpp"
 #include "sky_light.hpp"
 
@@ -13,7 +14,18 @@ namespace orbweaver::view {
 /// its rims, as hair has, polished skin shows the key light and the sky.
 extern const char* const kBodyLightSource;
 
-/// Tells its uniforms to `program`, which must be in use.
-void send_body_light(const Gl& gl, const Object& program, const SkyLight& light, const KeyLight& key);
+/// A picture that bodies are drawn in.
+struct BodyPicture {
+    const Camera& camera;
+    int width = 0, height = 0;  ///< pixels
+};
+
+/// Uses `program`, whose uniforms `view_projection` and `eye` are told, relative to `origin` (m), and those of
+/// light.
+void use_body_program(const Gl& gl, const Object& program, const Vec3& origin, const BodyPicture& picture,
+                      const SkyLight& light, const KeyLight& key);
+
+/// Draws `corners` indices of triangles once for each body: what faces the eye, and nothing is before.
+void draw_bodies(const Gl& gl, GLsizei corners, GLsizei bodies);
 
 }  // namespace orbweaver::view

@@ -171,15 +171,8 @@ void PatchPass::upload_map(const PatchMap& map) {
 void PatchPass::draw(const PatchPoints& points, const Camera& camera, int width, int height) const {
     const PatchLayout& layout = points.layout();
     if (layout.bodies == 0) return;
-    const Camera local{camera.position - points.origin(), camera.target - points.origin(), camera.fov_degrees};
-    const auto [near, far] = clip_depths(camera);
-    const auto matrix = view_projection(local, static_cast<double>(width) / height, near, far);
+    use_body_program(gl_, program_, points.origin(), {camera, width, height}, light_, key_);
     const auto uniform = [&](const char* name) { return gl_.GetUniformLocation(program_.name(), name); };
-    gl_.UseProgram(program_.name());
-    gl_.UniformMatrix4fv(uniform("view_projection"), 1, GL_FALSE, matrix.data());
-    gl_.Uniform3f(uniform("eye"), static_cast<float>(local.position.x), static_cast<float>(local.position.y),
-                  static_cast<float>(local.position.z));
-    send_body_light(gl_, program_, light_, key_);
     gl_.Uniform2i(uniform("lattice"), static_cast<GLint>(layout.rings), static_cast<GLint>(layout.sides));
     gl_.Uniform2i(uniform("steps"), static_cast<GLint>(kStepsAlong), steps_around_);
     gl_.Uniform1f(uniform("relief"), relief_);
@@ -190,14 +183,7 @@ void PatchPass::draw(const PatchPoints& points, const Camera& camera, int width,
     gl_.BindTexture(GL_TEXTURE_2D, map_.name());
     points.bind(0);
     gl_.BindVertexArray(vertices_.name());
-    gl_.Disable(GL_BLEND);
-    gl_.Enable(GL_DEPTH_TEST);
-    gl_.Enable(GL_CULL_FACE);
-    gl_.CullFace(GL_BACK);
-    gl_.DrawElementsInstanced(GL_TRIANGLES, corners_, GL_UNSIGNED_INT, nullptr,
-                              static_cast<GLsizei>(layout.bodies));
-    gl_.Disable(GL_CULL_FACE);
-    gl_.Disable(GL_DEPTH_TEST);
+    draw_bodies(gl_, corners_, static_cast<GLsizei>(layout.bodies));
 }
 
 }  // namespace orbweaver::view

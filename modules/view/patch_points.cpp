@@ -7,8 +7,7 @@
 
 namespace orbweaver::view {
 
-PatchPoints::PatchPoints(const Gl& gl, Patches& patches)
-    : gl_(gl), patches_(patches), buffer_(gl, ObjectKind::buffer), texture_(gl, ObjectKind::texture) {}
+PatchPoints::PatchPoints(const Gl& gl, Patches& patches) : gl_(gl), patches_(patches), buffer_(gl) {}
 
 void PatchPoints::update() {
     layout_ = patches_.layout();
@@ -30,16 +29,7 @@ void PatchPoints::update() {
         const Vec3 at = point - origin_;
         for (const double number : {at.x, at.y, at.z, 0.0}) texels_.push_back(static_cast<float>(number));
     }
-    gl_.BindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
-    gl_.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(texels_.size() * sizeof(float)), texels_.data(),
-                   GL_STREAM_DRAW);
-    bind(0);
-    gl_.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer_.name());
-}
-
-void PatchPoints::bind(GLenum unit) const {
-    gl_.ActiveTexture(GL_TEXTURE0 + unit);
-    gl_.BindTexture(GL_TEXTURE_BUFFER, texture_.name());
+    buffer_.upload(texels_, GL_STREAM_DRAW, 0);
 }
 
 }  // namespace orbweaver::view

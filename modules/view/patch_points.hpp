@@ -5,6 +5,7 @@
 
 #include "gl.hpp"
 #include "orbweaver/contracts/patches.hpp"
+#include "texel_buffer.hpp"
 
 namespace orbweaver::view {
 
@@ -15,7 +16,7 @@ public:
     /// Asks the provider anew. Throws Fault(limit) when the driver takes no texture of so many.
     void update();
     /// Makes it the texture of GL_TEXTURE0 + unit.
-    void bind(GLenum unit) const;
+    void bind(GLenum unit) const { buffer_.bind(unit); }
 
     /// What has points now; no bodies when there are too few of them for a patch.
     const PatchLayout& layout() const noexcept { return layout_; }
@@ -27,8 +28,7 @@ public:
 private:
     const Gl& gl_;
     Patches& patches_;
-    Object buffer_;
-    Object texture_;
+    TexelBuffer buffer_;
     PatchLayout layout_;
     std::span<const Vec3> latest_;
     std::vector<float> texels_;

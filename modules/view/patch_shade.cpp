@@ -85,11 +85,7 @@ std::vector<TubeRod> tube_rods(const PatchLayout& layout, std::span<const Vec3> 
     return rods;
 }
 
-PatchShade::PatchShade(const Gl& gl, const KeyLight& key)
-    : gl_(gl),
-      pass_(gl, kRods, Joints::chained, key),
-      rod_buffer_(gl, ObjectKind::buffer),
-      rod_texture_(gl, ObjectKind::texture) {}
+PatchShade::PatchShade(const Gl& gl, const KeyLight& key) : pass_(gl, kRods, Joints::chained, key), rods_(gl) {}
 
 void PatchShade::upload(const std::vector<TubeRod>& rods, const Vec3& origin) {
     texels_.clear();
@@ -98,12 +94,7 @@ void PatchShade::upload(const std::vector<TubeRod>& rods, const Vec3& origin) {
         for (const double number : {a.x, a.y, a.z, rod.radius, b.x, b.y, b.z, 0.0})
             texels_.push_back(static_cast<float>(number));
     }
-    gl_.BindBuffer(GL_TEXTURE_BUFFER, rod_buffer_.name());
-    gl_.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(texels_.size() * sizeof(float)), texels_.data(),
-                   GL_STREAM_DRAW);
-    gl_.ActiveTexture(GL_TEXTURE1);
-    gl_.BindTexture(GL_TEXTURE_BUFFER, rod_texture_.name());
-    gl_.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, rod_buffer_.name());
+    rods_.upload(texels_, GL_STREAM_DRAW, 1);
 }
 
 void PatchShade::draw(const PatchPoints& points, GLuint depths, const Camera& camera, int width, int height) {

@@ -27,10 +27,8 @@ public:
 private:
     void upload(const std::vector<TubeRod>& rods, const Vec3& origin);
 
-    const Gl& gl_;
     ShadePass pass_;
-    Object rod_buffer_;
-    Object rod_texture_;
+    TexelBuffer rods_;
     std::vector<float> texels_;
 };
 

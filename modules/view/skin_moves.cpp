@@ -12,8 +12,7 @@ vec3 moved(int creature, int bone, vec4 rest) {
 }
 )";
 
-SkinMoves::SkinMoves(const Gl& gl, Skins& skins)
-    : gl_(gl), skins_(skins), buffer_(gl, ObjectKind::buffer), texture_(gl, ObjectKind::texture) {}
+SkinMoves::SkinMoves(const Gl& gl, Skins& skins) : skins_(skins), buffer_(gl) {}
 
 void SkinMoves::update() {
     const auto moves = skins_.moves();
@@ -28,16 +27,7 @@ void SkinMoves::update() {
                                     move.x.z, move.y.z, move.z.z, at.z})
             rows_.push_back(static_cast<float>(number));
     }
-    gl_.BindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
-    gl_.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(rows_.size() * sizeof(float)), rows_.data(),
-                   GL_STREAM_DRAW);
-    bind(0);
-    gl_.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer_.name());
-}
-
-void SkinMoves::bind(GLenum unit) const {
-    gl_.ActiveTexture(GL_TEXTURE0 + unit);
-    gl_.BindTexture(GL_TEXTURE_BUFFER, texture_.name());
+    buffer_.upload(rows_, GL_STREAM_DRAW, 0);
 }
 
 }  // namespace orbweaver::view

@@ -4,6 +4,7 @@
 
 #include "gl.hpp"
 #include "orbweaver/contracts/skins.hpp"
+#include "texel_buffer.hpp"
 
 namespace orbweaver::view {
 
@@ -15,17 +16,15 @@ public:
     /// Asks the provider anew.
     void update();
     /// Makes it the texture of GL_TEXTURE0 + unit.
-    void bind(GLenum unit) const;
+    void bind(GLenum unit) const { buffer_.bind(unit); }
 
     GLsizei creatures() const noexcept { return creatures_; }
     const Vec3& origin() const noexcept { return origin_; }
     std::size_t memory_bytes() const noexcept { return 2 * rows_.capacity() * sizeof(float); }
 
 private:
-    const Gl& gl_;
     Skins& skins_;
-    Object buffer_;
-    Object texture_;
+    TexelBuffer buffer_;
     std::vector<float> rows_;
     Vec3 origin_;  // m, so that floats keep their digits far from the scene's origin
     GLsizei creatures_ = 0;

@@ -133,27 +133,14 @@ void SkinPass::upload(const SkinMesh& mesh) {
 
 void SkinPass::draw(const SkinMoves& moves, const Camera& camera, int width, int height) const {
     if (moves.creatures() == 0) return;
-    const Camera local{camera.position - moves.origin(), camera.target - moves.origin(), camera.fov_degrees};
-    const auto [near, far] = clip_depths(camera);
-    const auto matrix = view_projection(local, static_cast<double>(width) / height, near, far);
+    use_body_program(gl_, program_, moves.origin(), {camera, width, height}, light_, key_);
     const auto uniform = [&](const char* name) { return gl_.GetUniformLocation(program_.name(), name); };
-    gl_.UseProgram(program_.name());
-    gl_.UniformMatrix4fv(uniform("view_projection"), 1, GL_FALSE, matrix.data());
-    gl_.Uniform3f(uniform("eye"), static_cast<float>(local.position.x), static_cast<float>(local.position.y),
-                  static_cast<float>(local.position.z));
-    send_body_light(gl_, program_, light_, key_);
     gl_.Uniform1f(uniform("grain"), grain_);
     gl_.Uniform1i(uniform("moves"), 0);
     gl_.Uniform1i(uniform("bones"), bones_);
     moves.bind(0);
     gl_.BindVertexArray(vertices_.name());
-    gl_.Disable(GL_BLEND);
-    gl_.Enable(GL_DEPTH_TEST);
-    gl_.Enable(GL_CULL_FACE);
-    gl_.CullFace(GL_BACK);
-    gl_.DrawElementsInstanced(GL_TRIANGLES, corners_, GL_UNSIGNED_INT, nullptr, moves.creatures());
-    gl_.Disable(GL_CULL_FACE);
-    gl_.Disable(GL_DEPTH_TEST);
+    draw_bodies(gl_, corners_, moves.creatures());
 }
 
 }  // namespace orbweaver::view

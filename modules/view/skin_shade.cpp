@@ -20,10 +20,8 @@ void find_rod(int i, out vec4 from, out vec3 to) {
 }  // namespace
 
 SkinShade::SkinShade(const Gl& gl, const SkinMesh& mesh, const KeyLight& key)
-    : gl_(gl),
-      pass_(gl, (std::string(kMovedSource) + kRods).c_str(), Joints::loose, key),
-      rod_buffer_(gl, ObjectKind::buffer),
-      rod_texture_(gl, ObjectKind::texture),
+    : pass_(gl, (std::string(kMovedSource) + kRods).c_str(), Joints::loose, key),
+      rods_(gl),
       bones_(static_cast<GLint>(mesh.rods.size())) {
     constexpr double kThrown = 1.2;  // of the longest way from the first rod to another's end
     std::vector<float> texels;
@@ -34,17 +32,13 @@ SkinShade::SkinShade(const Gl& gl, const SkinMesh& mesh, const KeyLight& key)
         for (const double number : {rod.a.x, rod.a.y, rod.a.z, rod.radius, rod.b.x, rod.b.y, rod.b.z, 0.0})
             texels.push_back(static_cast<float>(number));
     memory_bytes_ = texels.size() * sizeof(float);
-    gl.BindBuffer(GL_TEXTURE_BUFFER, rod_buffer_.name());
-    gl.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(memory_bytes_), texels.data(), GL_STATIC_DRAW);
-    gl.BindTexture(GL_TEXTURE_BUFFER, rod_texture_.name());
-    gl.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, rod_buffer_.name());
+    rods_.upload(texels, GL_STATIC_DRAW, 1);
 }
 
 void SkinShade::draw(const SkinMoves& moves, GLuint depths, const Camera& camera, int width, int height) const {
     if (moves.creatures() == 0) return;
     moves.bind(0);
-    gl_.ActiveTexture(GL_TEXTURE1);
-    gl_.BindTexture(GL_TEXTURE_BUFFER, rod_texture_.name());
+    rods_.bind(1);
     pass_.draw({bones_ * moves.creatures(), bones_, moves.origin(), cast_}, depths, camera, width, height);
 }
 

@@ -14,10 +14,8 @@ public:
     std::size_t memory_bytes() const noexcept { return memory_bytes_; }
 
 private:
-    const Gl& gl_;
     ShadePass pass_;
-    Object rod_buffer_;
-    Object rod_texture_;
+    TexelBuffer rods_;
     GLint bones_ = 0;
     double cast_ = 0;  // m, how far shadows are thrown
     std::size_t memory_bytes_ = 0;
