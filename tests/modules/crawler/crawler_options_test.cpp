@@ -4,10 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "checked_options.hpp"
 #include "fake_host.hpp"
-#include "plan/manifest.hpp"
-#include "plan/option_check.hpp"
-#include "scene/toml_reader.hpp"
 #include "spider/land.hpp"
 
 using namespace orbweaver;
@@ -19,12 +17,7 @@ namespace {
 constexpr double kG = 9.81;
 
 const Manifest& manifest() {
-    static const Manifest read = [] {
-        Diagnostics faults;
-        auto found = read_manifest(std::string(ORBWEAVER_MODULE_DIR) + "/crawler.toml", faults);
-        REQUIRE(found);
-        return *found;
-    }();
+    static const Manifest read = orbweaver::test::manifest_of("crawler");
     return read;
 }
 
@@ -36,8 +29,7 @@ struct Read {
     std::vector<Vec3> places;
 
     explicit Read(const std::string& table, const Surface* surface = nullptr) {
-        const Options options = check_options(read_toml_text(table, "scene.toml"), manifest().options,
-                                              {".", {std::string(ORBWEAVER_SOURCE_DIR) + "/assets"}}, faults);
+        const Options options = orbweaver::test::checked_options(manifest(), table, faults);
         if (!faults.empty()) return;
         crawler = read_crawler(options, {0, -kG, 0}, faults);
         ground = read_ground(options, crawler, surface, nullptr, faults);

@@ -5,10 +5,8 @@
 #include <functional>
 #include <set>
 
+#include "checked_options.hpp"
 #include "fake_host.hpp"
-#include "plan/manifest.hpp"
-#include "plan/option_check.hpp"
-#include "scene/toml_reader.hpp"
 #include "walker.hpp"
 
 using namespace walker;
@@ -17,12 +15,7 @@ using land::Land;
 namespace {
 
 const Manifest& manifest() {
-    static const Manifest read = [] {
-        Diagnostics faults;
-        auto found = read_manifest(std::string(ORBWEAVER_MODULE_DIR) + "/spider.toml", faults);
-        REQUIRE(found);
-        return *found;
-    }();
+    static const Manifest read = orbweaver::test::manifest_of("spider");
     return read;
 }
 
@@ -39,8 +32,7 @@ struct Read {
 
     explicit Read(const std::string& table) {
         static const Species huntsman = spider::test::creature("huntsman");
-        host.options_ = check_options(read_toml_text(table, "scene.toml"), manifest().options,
-                                      {".", {std::string(ORBWEAVER_SOURCE_DIR) + "/assets"}}, host.faults);
+        host.options_ = orbweaver::test::checked_options(manifest(), table, host.faults);
         if (host.faults.empty()) conduct = conduct_of(host, cube().surface(), huntsman);
         if (host.faults.empty()) script = control_of(host.options());
     }
