@@ -76,9 +76,11 @@ struct Landing {
     Vec3Lanes start;       ///< m, before the step
     Vec3Lanes start_v;     ///< m/s
     Vec3Lanes pressed;     ///< m/s, what the ground's reaction gave them during the step
+    Vec3Lanes turned;      ///< m/s, what the ground gave them at the end of the step before, after their way
     Vec3Lanes spine;       ///< along their body, of any length
     Lanes holds;           ///< m/s, what it takes to tear them off
     double allowance = 0;  ///< m, deep in the ground within which they may stay
+    double lag = 0;        ///< steps by which v are older than x: 0 or a half
 };
 
 /// Per kg, and what goes with it; of each lane.
@@ -96,11 +98,18 @@ struct LandingBooks {
 };
 
 /// Those that `are_on` the ground are met by it; others were left by it during the step, if it pressed them.
+///
+/// An impulse does its work on the mean of the velocities before and after it. Where velocities are older than
+/// positions, as far as they lag it is the velocity of the other side of what springs and weight give a point
+/// in a step that belongs to the impulse: the one before for the reaction and for what lifts a point, which is
+/// part of the step's way, and the next one for what turns it after that.
 ORBWEAVER_INLINE void meet_ground(const Touches& touch, const LaneBits& are_on, const Friction& friction,
                                   double h, Landing& points, LandingBooks& books) noexcept {
     const Vec3Lanes n = touch.normal, moved = points.x - points.start;
     const Vec3Lanes spine = laid_across(points.spine, n), side = crossed(n, spine);
+    const Vec3Lanes given = points.v - points.start_v - points.pressed;  // by all but the ground
     const Lanes into = dot(points.v, n), pressed = dot(points.pressed, n), on_way = dot(moved, n);
+    const Lanes given_up = dot(given, n), turned_up = dot(points.turned, n);
     const Vec3Lanes along = points.v - n * into, held = points.pressed - n * pressed;
     // What is within the reach of its feet alone is held, but not pushed.
     const Lanes asked = larger_of(-points.holds, pressed - into);
@@ -110,23 +119,26 @@ ORBWEAVER_INLINE void meet_ground(const Touches& touch, const LaneBits& are_on, 
     const Sliding slid = slide(friction, touch.grip * (pressing + points.holds),
                                {are_on ? dot(free, spine) : Lanes{}, are_on ? dot(free, side) : Lanes{}});
     const Vec3Lanes slides = spine * slid.along + side * slid.across;
-    const Lanes lifted = larger_of(touch.depth - points.allowance, Lanes{});
+    const Lanes lifted = larger_of(touch.depth - points.allowance, Lanes{}), lift = lifted / h;
     // What all but the ground gave them into the ground; the rest of what is taken is their fall, which ends
     // here: the ground goes on to press as it does without.
-    const Lanes weighed = pressed - into + dot(points.start_v, n);
-    const Lanes share = pressing > Lanes{} ? weighed / pressing : in_all(1);
+    const Lanes share = pressing > Lanes{} ? -given_up / pressing : in_all(1);
     const Lanes lasting = larger_of(Lanes{}, share < 1 ? share : in_all(1));
-    // The reaction did work on the way; the impulse turned the rest. What lifts a point works against what
-    // presses it down.
-    const Lanes by_friction = 0.5 * (dot(slides, slides) - dot(along, along));
-    const Lanes by_impact = 0.5 * (left * left - into * into) + weighed * lifted / h;
+    const double lag = points.lag;
+    const Lanes held_work =
+        dot(held, moved) / h + lag * (dot(given, points.turned - n * turned_up) - dot(held, given + held));
+    const Lanes pressed_work =
+        pressed * on_way / h + lag * (given_up * turned_up - pressed * (given_up + pressed));
+    const Lanes slide_work = 0.5 * (dot(slides, slides) - dot(along, along));
+    const Lanes landing_work = 0.5 * (left * left - into * into) - (1 - lag) * given_up * lift;
     const Vec3Lanes slip = moved - n * on_way;
-    books.friction -= dot(held, moved) / h + (are_on ? by_friction : Lanes{});
-    books.impact -= pressed * on_way / h + (are_on ? by_impact : Lanes{});
+    books.friction -= held_work + (are_on ? slide_work : Lanes{});
+    books.impact -= pressed_work + (are_on ? landing_work : Lanes{});
     books.slip += are_on ? mass_spring::sqrt(dot(slip, slip)) : Lanes{};
     books.contacts += are_on ? in_all(1) : Lanes{};
     points.x = either(are_on, points.x + n * lifted, points.x);
     points.v = either(are_on, slides + n * left, points.v);
+    points.turned = either(are_on, slides - along + n * (pressing - pressed - lift), Vec3Lanes{});
     points.pressed = either(are_on, (n * pressing + slides - free) * lasting, Vec3Lanes{});
 }
 

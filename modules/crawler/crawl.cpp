@@ -20,6 +20,16 @@ Effort between(const Effort& a, const Effort& b, double share) noexcept {
     return {mix(a.strain, b.strain), mix(a.bend, b.bend), mix(a.lift, b.lift), mix(a.turn, b.turn)};
 }
 
+/// How many stretches of a frame lengths change evenly in. Those of a sine are then within 0.05 % of its
+/// height; those of square waves change at once, or as good as that.
+std::size_t count_stretches(WaveForm form, std::span<const Drive> drives) noexcept {
+    constexpr double kACycle = 100, kMost = 1e6;
+    if (form != WaveForm::sine) return static_cast<std::size_t>(kMost);
+    double cycles = 0;
+    for (const Drive& drive : drives) cycles = std::max(cycles, std::abs(drive.cycles[1] - drive.cycles[0]));
+    return static_cast<std::size_t>(std::clamp(std::ceil(kACycle * cycles), 1.0, kMost));
+}
+
 /// Along the body at a ring, from the middles of its neighbors (Miller's local spine vector).
 Vec3 spine_at(std::span<const Vec3> middles, std::size_t ring) noexcept {
     const std::size_t before = ring > 0 ? ring - 1 : 0;
@@ -51,11 +61,13 @@ Crawl::Crawl(mass_spring::SpringSystem& system, const Lattice& lattice, const Bu
       lag_(lag),
       reaction_(reaction),
       start_reaction_(reaction.size()),
+      turned_(system.length()),
       drives_(lattice.bodies),
       bodies_(lattice.bodies, {Muscles(build),
                                std::vector<Flex>(lattice.segments),
                                std::vector<double>(lattice.springs_a_body()),
                                std::vector<Vec3>(lattice.rings()),
+                               std::vector<std::uint8_t>(lattice.rings() + 1),
                                {}}) {
     system.set_hooks(this);
 }
@@ -104,6 +116,7 @@ void Crawl::lay_down(std::span<const Vec3> x) {
 void Crawl::begin_frame(std::span<const Drive> drives, std::span<const Vec3> x, std::span<const Vec3> v,
                         double seconds) {
     std::copy(drives.begin(), drives.end(), drives_.begin());
+    stretches_ = count_stretches(waves_.form(), drives);
     seconds_ = seconds;
     std::copy(reaction_.begin(), reaction_.end(), start_reaction_.begin());
     if (auto* surface = std::get_if<SurfaceGround>(&ground_)) surface->look(x, v, seconds);
@@ -112,13 +125,25 @@ void Crawl::begin_frame(std::span<const Drive> drives, std::span<const Vec3> x, 
 void Crawl::rewind() noexcept {
     elapsed_ = 0;
     frame_ = {};
-    for (Body& body : bodies_) body.frame = {};
+    for (Body& body : bodies_) {
+        body.frame = {};
+        std::fill(body.met.begin(), body.met.end(), 1);
+    }
     system_->packing().pack(start_reaction_, system_->hook_forces());
-    for_each_body([&](std::uint32_t body) { find_lengths(body, 0); });
-    system_->set_rest_lengths();
+    std::fill(turned_.begin(), turned_.end(), 0.0);
+    begin_stretch(0);
+    system_->begin_rest_path();
 }
 
-void Crawl::find_lengths(std::uint32_t number, double share) noexcept {
+void Crawl::begin_stretch(std::size_t number) noexcept {
+    stretch_ = number;
+    for_each_body([&](std::uint32_t body) {
+        for (std::size_t end = 0; end < 2; ++end)
+            find_lengths(body, end, static_cast<double>(number + end) / static_cast<double>(stretches_));
+    });
+}
+
+void Crawl::find_lengths(std::uint32_t number, std::size_t end, double share) noexcept {
     const Drive& drive = drives_[number];
     Body& body = bodies_[number];
     waves_.flex(std::lerp(drive.cycles[0], drive.cycles[1], share),
@@ -129,19 +154,19 @@ void Crawl::find_lengths(std::uint32_t number, double share) noexcept {
     if (ease < 1 && !laid_.empty())
         for (std::size_t i = 0; i < body.rest.size(); ++i)
             body.rest[i] = std::lerp(laid_[first + i], body.rest[i], ease);
-    double* next = system_->next_rest_lengths().data();
-    for (std::size_t i = 0; i < body.rest.size(); ++i) next[system_->rest_place(first + i)] = body.rest[i];
+    for (std::size_t i = 0; i < body.rest.size(); ++i) system_->set_rest_path(first + i, end, body.rest[i]);
 }
 
 // Springs get the lengths of the step's end.
 void Crawl::before_step(std::span<const double> x, std::span<const double> v, double h) noexcept {
     start_x_.assign(x.begin(), x.end());
     start_v_.assign(v.begin(), v.end());
-    const double share = std::min(1.0, (elapsed_ + h) / seconds_);
-    for_each_body([&](std::uint32_t body) { find_lengths(body, share); });
-    const mass_spring::DriveWork done = system_->drive(x, v, lag_ * h);
+    const double at = std::min(1.0, (elapsed_ + h) / seconds_) * static_cast<double>(stretches_);
+    const auto stretch = std::min(static_cast<std::size_t>(at), stretches_ - 1);
+    if (stretch != stretch_) begin_stretch(stretch);
+    const mass_spring::DriveWork done = system_->drive(x, v, at - static_cast<double>(stretch), h, lag_);
     frame_.muscles += done.work;
-    frame_.damping += h * done.damping;
+    frame_.damping += done.damping;
 }
 
 void Crawl::after_step(std::span<double> x, std::span<double> v, double h) noexcept {
@@ -171,14 +196,14 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t number, std::span<double
     double* const reactions = system_->hook_forces().data();
     LandingBooks books;
     run_wide([&]() ORBWEAVER_ALWAYS_INLINE {
-        const auto meet_two = [&](std::size_t one, std::size_t other,
-                                  std::size_t corner) ORBWEAVER_ALWAYS_INLINE {
+        const auto meet_two = [&](std::size_t one, std::size_t other, std::size_t corner,
+                                  std::uint8_t& met) ORBWEAVER_ALWAYS_INLINE {
             const Four four{plane, first + kCorners * one + corner, first + kCorners * other + corner};
             const Vec3Lanes place = four.get_vectors(x.data());
             const Touches touch = touch_all(ground, place, four);
+            if (met == 0 && !is_any(touch.depth > in_all(-reach))) return;
             const Vec3Lanes reaction = four.get_vectors(reactions);
             const LaneBits was_pressed = dot(reaction, reaction) > Lanes{};
-            if (!is_any((touch.depth > in_all(-reach)) | was_pressed)) return;
             const double hold_one = holds(one, body), hold_other = holds(other, body);
             const Lanes hold{hold_one, hold_one, hold_other, hold_other};
             const LaneBits is_near = touch.depth > (hold > Lanes{} ? in_all(-reach) : in_all(-near));
@@ -189,22 +214,27 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t number, std::span<double
                            four.get_vectors(start_x_.data()),
                            four.get_vectors(start_v_.data()),
                            reaction * in_all(h / mass),
+                           four.get_vectors(turned_.data()),
                            Vec3Lanes{{spine.x, spine.x, next.x, next.x},
                                      {spine.y, spine.y, next.y, next.y},
                                      {spine.z, spine.z, next.z, next.z}},
                            h * hold,
-                           near};
+                           near,
+                           std::max(lag_, 0.0)};
             LandingBooks here;
             meet_ground(touch, are_on, friction_, h, points, here);
             books.add(here, one != other);
             four.put_vectors(points.x, x.data());
             four.put_vectors(points.v, v.data());
+            four.put_vectors(points.turned, turned_.data());
             four.put_vectors(points.pressed * in_all(mass / h), reactions);
+            met = is_any(are_on) ? 1 : 0;
         };
         const std::size_t rings = body.middles.size();
+        auto met = body.met.begin();
         for (std::size_t corner = 0; corner < kCorners; corner += 2)
             for (std::size_t ring = 0; ring < rings; ring += 2)
-                meet_two(ring, std::min(ring + 1, rings - 1), corner);
+                meet_two(ring, std::min(ring + 1, rings - 1), corner, *met++);
     });
     body.frame.friction += mass * sum(books.friction);
     body.frame.impact += mass * sum(books.impact);
@@ -231,12 +261,13 @@ void Crawl::keep() noexcept {
 }
 
 std::size_t Crawl::memory_bytes() const noexcept {
-    std::size_t bytes = drives_.capacity() * sizeof(Drive) + start_reaction_.capacity() * sizeof(Vec3) +
-                        (start_x_.capacity() + start_v_.capacity() + laid_.capacity()) * sizeof(double);
+    std::size_t bytes =
+        drives_.capacity() * sizeof(Drive) + start_reaction_.capacity() * sizeof(Vec3) +
+        (start_x_.capacity() + start_v_.capacity() + turned_.capacity() + laid_.capacity()) * sizeof(double);
     for (const Body& body : bodies_)
         bytes += sizeof(Body) + body.flexes.capacity() * sizeof(Flex) +
                  (body.rest.capacity() + lattice_.rings()) * sizeof(double) +
-                 body.middles.capacity() * sizeof(Vec3);
+                 body.middles.capacity() * sizeof(Vec3) + body.met.capacity();
     if (const auto* surface = std::get_if<SurfaceGround>(&ground_)) bytes += surface->memory_bytes();
     return bytes;
 }

@@ -37,10 +37,11 @@ struct Books {
 };
 
 /// Bodies that crawl: between the steps of a method, muscles give springs their lengths and the ground meets
-/// points. A point that gets below the ground is put onto it, loses its velocity into it, and slides as
-/// friction has it by the impulse that this took (Miller 1988; Moreau 1988). While a step is taken, the ground
-/// presses as that impulse did over the step before, so that what lies on it lies still and does not fall and
-/// jump: the impulse after the step is what that fell short of. The reactions are state.
+/// points. Lengths are those of the waves a hundred times a cycle, and at the begin and the end of each frame;
+/// in between they change evenly. A point that gets below the ground is put onto it, loses its velocity into
+/// it, and slides as friction has it by the impulse that this took (Miller 1988; Moreau 1988). While a step is
+/// taken, the ground presses as that impulse did over the step before, so that what lies on it lies still and
+/// does not fall and jump: the impulse after the step is what that fell short of. The reactions are state.
 class Crawl final : public mass_spring::StepHooks {
 public:
     /// `system` is of the lattice's network as `build` makes it, has these hooks from then on, and outlives
@@ -72,9 +73,11 @@ private:
     /// Of one body: threads share the bodies.
     struct Body {
         Muscles muscles;
-        std::vector<Flex> flexes;
+        std::vector<Flex> flexes;   ///< at the end of the stretch
         std::vector<double> rest;   ///< m, in the order of its springs
         std::vector<Vec3> middles;  ///< m, of rings
+        /// Whether any of four points was on the ground after the last step, in the order that they are met in.
+        std::vector<std::uint8_t> met;
         Books frame;
     };
 
@@ -82,7 +85,8 @@ private:
     void for_each_body(const F& f) noexcept;
     template <class F>
     void with_ground(const F& f) noexcept;
-    void find_lengths(std::uint32_t body, double share) noexcept;
+    void find_lengths(std::uint32_t body, std::size_t end, double share) noexcept;
+    void begin_stretch(std::size_t number) noexcept;
     double holds(std::size_t ring, const Body& body) const noexcept;
     template <class AnyGround>
     void meet(const AnyGround& ground, std::uint32_t number, std::span<double> x, std::span<double> v,
@@ -100,10 +104,13 @@ private:
     std::vector<Vec3> start_reaction_;  // N, of the frame
     std::vector<double> start_x_;       // m, packed, of the step
     std::vector<double> start_v_;       // m/s, likewise
+    std::vector<double> turned_;        // m/s, likewise: see Landing
     std::vector<Drive> drives_;
-    std::vector<double> laid_;  // m, springs' lengths as bodies were laid down; empty: as muscles ask for
-    double seconds_ = 1;        // of the frame
-    double elapsed_ = 0;        // s, of it
+    std::vector<double> laid_;   // m, springs' lengths as bodies were laid down; empty: as muscles ask for
+    double seconds_ = 1;         // of the frame
+    double elapsed_ = 0;         // s, of it
+    std::size_t stretches_ = 1;  // of it, through each of which lengths change evenly
+    std::size_t stretch_ = 0;    // the one that springs are in
     Books frame_, kept_;
     std::vector<Body> bodies_;
 };

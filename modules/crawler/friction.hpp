@@ -22,34 +22,44 @@ struct Sliding {
 
 /// The larger of each pair, without a comparison of what is no number.
 ORBWEAVER_INLINE Lanes larger_of(const Lanes& a, const Lanes& b) noexcept { return a > b ? a : b; }
+ORBWEAVER_INLINE Lanes smaller_of(const Lanes& a, const Lanes& b) noexcept { return a < b ? a : b; }
 ORBWEAVER_INLINE bool is_any(const LaneBits& mask) noexcept {
-    return ((mask[0] | mask[1]) | (mask[2] | mask[3])) != 0;
+    return sign_bits(reinterpret_cast<Lanes>(mask)) != 0;
+}
+
+/// The power of two by which a number gets between 1 and 2.
+ORBWEAVER_INLINE Lanes to_order_one(const Lanes& of) noexcept {
+    constexpr std::int64_t kExponent = 0x7FF0000000000000, kOfTwo = 0x7FE0000000000000;
+    return reinterpret_cast<Lanes>(kOfTwo - (reinterpret_cast<LaneBits>(of) & kExponent));
 }
 
 /// The speed r at which velocities end that slide to an end under impulses a and b along their parts:
-///     (v_a / (r + a))^2 + (v_b / (r + b))^2 = 1.
-/// The left side falls and is convex: Newton's method climbs to the root from below, and gets below it in one
-/// step from where the impulses, weighed as the velocity lies, would lead. Means nothing where all comes
-/// to rest.
+///     S(r) = (v_a / (r + a))^2 + (v_b / (r + b))^2 = 1.
+/// Newton's method for 1/sqrt(S) = 1, whose left side is concave and all but straight, so that it climbs to the
+/// root from below; with t = S - 1, sqrt(1 + t) is (1 + 11/12 t)/(1 + t/6) S-fold, no more than it is. All of
+/// the order of one or limited; means nothing where all comes to rest.
 ORBWEAVER_INLINE Lanes end_speed(const Sliding& v, const Lanes& a, const Lanes& b,
                                  const LaneBits& rests) noexcept {
-    constexpr int kMost = 60;
-    constexpr double kEnough = 1e-5;  // of r: the step after it would change r by the square of that
-    constexpr double kLeast = 1e-12;  // of the speed, which r is never below
+    constexpr int kAsARule = 3, kMost = 60;
+    constexpr double kEnough = 3e-5;  // of r: the step after it would change r by less than the square of that
+    constexpr double kLeast = 1e-12;
     const Lanes va = v.along * v.along, vb = v.across * v.across;
-    const Lanes square = va + vb + 1e-300, speed = mass_spring::sqrt(square);
-    const Lanes least = larger_of(larger_of(kLeast * speed, speed - larger_of(a, b)),
-                                  larger_of(absolute(v.along) - a, absolute(v.across) - b));
-    Lanes r = larger_of(least, speed - (a * va + b * vb) / square);
-    bool goes_on = is_any(~rests);
-    for (int i = 0; i < kMost && goes_on; ++i) {
-        const Lanes both = 1 / ((r + a) * (r + b)), by_a = both * (r + b), by_b = both * (r + a);
-        const Lanes p = va * by_a * by_a, q = vb * by_b * by_b;
-        const Lanes change = (p + q - 1) / (2 * (p * by_a + q * by_b) + 1e-300);
-        const Lanes next = larger_of(least, r + change);
-        goes_on = is_any(~rests & (absolute(next - r) > kEnough * next));
-        r = next;
-    }
+    const Lanes along = absolute(v.along), across = absolute(v.across);
+    // A speed is more than that along any direction.
+    const Lanes halfway = 0.9238 * larger_of(along, across) + 0.3826 * smaller_of(along, across);
+    const Lanes least =
+        larger_of(larger_of(in_all(kLeast), halfway - larger_of(a, b)), larger_of(along - a, across - b));
+    Lanes r = least, change;
+    const auto climb = [&]() ORBWEAVER_ALWAYS_INLINE {
+        const Lanes to_a = r + a, to_b = r + b, a2 = to_a * to_a, b2 = to_b * to_b;
+        const Lanes both = to_a * to_b, both2 = both * both;
+        const Lanes excess = va * b2 + vb * a2 - both2;  // t, times both2
+        const Lanes slope = va * b2 * to_b + vb * a2 * to_a;
+        change = excess * (both2 + 11.0 / 12 * excess) * both / ((2 * both2 + 1.0 / 3 * excess) * slope);
+        r = larger_of(least, r + change);
+    };
+    for (int i = 0; i < kAsARule; ++i) climb();
+    for (int i = kAsARule; i < kMost && is_any(~rests & (absolute(change) > kEnough * r)); ++i) climb();
     return r;
 }
 
@@ -60,13 +70,19 @@ ORBWEAVER_INLINE Lanes end_speed(const Sliding& v, const Lanes& a, const Lanes& 
 /// nothing is turned round, and what the impulse can stop rests.
 ORBWEAVER_INLINE Sliding slide(const Friction& friction, const Lanes& pressing, const Sliding& v) noexcept {
     if (friction.law == FrictionLaw::one_way) return {larger_of(v.along, Lanes{}), v.across};
-    constexpr double kLeast = 1e-100;  // m/s, next to nothing, by which can be divided
-    const Lanes forward = in_all(friction.forward), backward = in_all(friction.backward);
-    const Lanes a = pressing * (v.along < 0 ? backward : forward) + kLeast,
-                b = pressing * friction.sideways + kLeast;
-    const Lanes p = v.along / a, q = v.across / b;
-    const LaneBits rests = p * p + q * q <= in_all(1);
-    const Lanes r = end_speed(v, a, b, rests);
+    // Beyond a limit an impulse might as well be nothing, or endless.
+    constexpr double kLimit = 1e30;
+    const Lanes scale = to_order_one(larger_of(absolute(v.along), absolute(v.across)));
+    const Sliding scaled{v.along * scale, v.across * scale};
+    const auto impulse = [&](const Lanes& coefficient) ORBWEAVER_ALWAYS_INLINE {
+        return smaller_of(in_all(kLimit), larger_of(in_all(1 / kLimit), pressing * coefficient * scale));
+    };
+    const Lanes a = impulse(v.along < 0 ? in_all(friction.backward) : in_all(friction.forward)),
+                b = impulse(in_all(friction.sideways));
+    const Lanes p = scaled.along * b, q = scaled.across * a, both = a * b;
+    const LaneBits rests = p * p + q * q <= both * both;
+    if (!is_any(~rests)) return {Lanes{}, Lanes{}};
+    const Lanes r = end_speed(scaled, a, b, rests);
     return {rests ? Lanes{} : v.along * (r / (r + a)), rests ? Lanes{} : v.across * (r / (r + b))};
 }
 

@@ -44,6 +44,7 @@ const Gait* find_gait(std::string_view name) noexcept;
 class Waves {
 public:
     Waves(const Gait& gait, WaveForm form, double waves, std::uint32_t segments);
+    WaveForm form() const noexcept { return form_; }
     /// Of each segment, from the tail on. Bits do not depend on the C library.
     void flex(double cycles, const Effort& effort, std::span<Flex> into) const noexcept;
 

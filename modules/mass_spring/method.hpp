@@ -45,7 +45,8 @@ struct MethodInfo {
     /// The method that tells how far this one is off, where half the step would not: empty for those that
     /// converge to the motion of the equations with no more ado.
     std::string_view judge{};
-    /// Steps by which velocities are older than positions: half of one where they are what positions moved by.
+    /// Steps by which the middle of the way on which a step's forces work is older than its begin: half of one
+    /// where they act where it begins, minus half of one where it ends.
     double lag = 0;
 };
 

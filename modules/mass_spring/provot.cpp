@@ -17,7 +17,7 @@ public:
 
     void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) override {
         constexpr double kMostStrain = 0.1;
-        system.accelerations(x, v, a_);
+        system.accelerations_at_start(x, v, a_);
         wide_loop(x.size(),
                   [h, x = x.data(), v = v.data(), a = a_.data()](std::size_t i) ORBWEAVER_ALWAYS_INLINE {
                       v[i] += h * a[i];

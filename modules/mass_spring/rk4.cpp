@@ -13,7 +13,7 @@ public:
     explicit Rk4(std::size_t length) : x_(length), v_(length), first_(length), middle_(length), last_(length) {}
 
     void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) override {
-        system.accelerations(x, v, first_);
+        system.accelerations_at_start(x, v, first_);
         advance_stage(x, v, v, first_, h / 2);
         system.accelerations(x_, v_, middle_);
         advance_stage(x, v, v_, middle_, h / 2);

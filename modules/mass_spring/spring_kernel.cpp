@@ -66,26 +66,46 @@ ORBWEAVER_INLINE void any_creep(const SpringTable& table, const double* x, doubl
 
 ORBWEAVER_INLINE double sum(const Lanes& of) noexcept { return (of[0] + of[1]) + (of[2] + of[3]); }
 
-ORBWEAVER_INLINE DriveWork any_drive(SpringTable& table, const double* rest, const double* x, const double* v,
-                                     double lag, std::size_t begin, std::size_t end) noexcept {
+/// As pulls(), of springs that are damped or of no damping.
+template <bool damped>
+ORBWEAVER_INLINE DriveWork drive(SpringTable& table, DrivenQuad* driven, const DriveStep& step,
+                                 const KernelInput& input, std::size_t begin, std::size_t end,
+                                 double* pull) noexcept {
     const std::size_t plane = table.packing.plane();
-    const bool damped = !table.damping.empty();
-    Lanes doubled_work{}, damping{};
+    Lanes doubled_work{}, doubled_damping{};
     for (std::size_t i = begin; i < end; ++i) {
         SpringTable::Quad& quad = table.quads[i];
-        const Vec3Lanes l = load(x + quad.a, plane) - load(x + quad.b, plane);
-        const Vec3Lanes dl = load(v + quad.a, plane) - load(v + quad.b, plane);
-        const Vec3Lanes then = l - dl * in_all(lag);
-        const Lanes before = load(quad.rest_length.data()), after = load(rest + i * Packing::kLanes);
-        doubled_work += load(quad.stiffness.data()) * (after - before) *
-                        (after + before - 2 * sqrt(dot(then, then)));
-        if (damped) {
-            const Lanes rate = dot(l, dl);
-            damping += load(table.damping[i].data()) * rate * rate / (dot(l, l) + kNoLength);
+        DrivenQuad& drive = driven[i];
+        const Vec3Lanes l = load(input.x + quad.a, plane) - load(input.x + quad.b, plane);
+        const Vec3Lanes dl = load(input.v + quad.a, plane) - load(input.v + quad.b, plane);
+        const Lanes length = sqrt(dot(l, l));
+        const Lanes inverse = 1 / (length + kNoLength);
+        const Lanes rate = dot(l, dl) * inverse;
+        const Lanes grown = step.is_new ? step.h * rate : length - load(drive.length.data());
+        const Lanes last_rate = step.is_new ? rate : load(drive.rate.data());
+        const Lanes stiffness = load(quad.stiffness.data()), before = load(quad.rest_length.data());
+        const Lanes from = load(drive.begin.data());
+        const Lanes after = from + step.share * (load(drive.end.data()) - from);
+        doubled_work += stiffness * (after - before) * (after + before - 2 * (length - step.lag * grown));
+        Lanes force = stiffness * (length - after);
+        if constexpr (damped) {
+            const Lanes damping = load(table.damping[i].data());
+            doubled_damping += damping * (last_rate + rate) * grown;
+            force += damping * rate;
         }
         store(quad.rest_length.data(), after);
+        store(drive.length.data(), length);
+        store(drive.rate.data(), rate);
+        store(pull + quad.slot, table.slots, l * (force * inverse));
     }
-    return {0.5 * sum(doubled_work), sum(damping)};
+    return {0.5 * sum(doubled_work), 0.5 * sum(doubled_damping)};
+}
+
+ORBWEAVER_INLINE DriveWork any_drive(SpringTable& table, DrivenQuad* driven, const DriveStep& step,
+                                     const KernelInput& input, std::size_t begin, std::size_t end,
+                                     double* pull) noexcept {
+    return table.damping.empty() ? drive<false>(table, driven, step, input, begin, end, pull)
+                                 : drive<true>(table, driven, step, input, begin, end, pull);
 }
 
 /// Zero in the lanes whose bit is set.
@@ -163,9 +183,9 @@ void plain_creep(const SpringTable& table, const double* x, double h, std::size_
     any_creep(table, x, h, begin, end, creep);
 }
 
-DriveWork plain_drive(SpringTable& table, const double* rest, const double* x, const double* v, double lag,
-                      std::size_t begin, std::size_t end) noexcept {
-    return any_drive(table, rest, x, v, lag, begin, end);
+DriveWork plain_drive(SpringTable& table, DrivenQuad* driven, const DriveStep& step, const KernelInput& input,
+                      std::size_t begin, std::size_t end, double* pull) noexcept {
+    return any_drive(table, driven, step, input, begin, end, pull);
 }
 
 ORBWEAVER_AVX2 void avx2_pulls(const SpringTable& table, const KernelInput& input, std::size_t begin,
@@ -188,15 +208,17 @@ ORBWEAVER_AVX2 void avx2_creep(const SpringTable& table, const double* x, double
     any_creep(table, x, h, begin, end, creep);
 }
 
-ORBWEAVER_AVX2 DriveWork avx2_drive(SpringTable& table, const double* rest, const double* x, const double* v,
-                                    double lag, std::size_t begin, std::size_t end) noexcept {
-    return any_drive(table, rest, x, v, lag, begin, end);
+ORBWEAVER_AVX2 DriveWork avx2_drive(SpringTable& table, DrivenQuad* driven, const DriveStep& step,
+                                    const KernelInput& input, std::size_t begin, std::size_t end,
+                                    double* pull) noexcept {
+    return any_drive(table, driven, step, input, begin, end, pull);
 }
 
 }  // namespace
 
 const SpringKernels& plain_kernels() noexcept {
-    static constexpr SpringKernels kernels{plain_pulls, plain_accelerations, plain_kicks, plain_creep, plain_drive};
+    static constexpr SpringKernels kernels{plain_pulls, plain_accelerations, plain_kicks, plain_creep,
+                                           plain_drive};
     return kernels;
 }
 

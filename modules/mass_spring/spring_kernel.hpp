@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "orbweaver/vec3.hpp"
@@ -25,7 +26,23 @@ struct KickAndDrift {
     double drift = 0;  ///< s
 };
 
-/// J done on springs by making their rest lengths others, and W that their damping takes.
+/// Of a quad of springs whose rest lengths go evenly from some to others.
+struct DrivenQuad {
+    std::array<double, Packing::kLanes> begin{};   ///< m
+    std::array<double, Packing::kLanes> end{};     ///< m
+    std::array<double, Packing::kLanes> length{};  ///< m, as the last step began
+    std::array<double, Packing::kLanes> rate{};    ///< m/s, by which it grew then
+};
+
+/// A step that begins by driving springs.
+struct DriveStep {
+    double share = 0;     ///< of the way from begin to end, where rest lengths then are
+    double h = 0;         ///< s, of the step before
+    double lag = 0;       ///< of the method (see MethodInfo)
+    bool is_new = false;  ///< no step before is remembered: lengths grew as they do now
+};
+
+/// J done on springs by making their rest lengths others, and J that damping took since the last step began.
 struct DriveWork {
     double work = 0;
     double damping = 0;
@@ -50,9 +67,10 @@ struct SpringKernels {
     /// The dashpots of quads [begin, end) creep for h seconds at the lengths of x.
     void (*creep)(const SpringTable& table, const double* x, double h, std::size_t begin, std::size_t end,
                   double* creep) noexcept;
-    /// The rest lengths of quads [begin, end) become others, four a quad, at lengths of x - lag v.
-    DriveWork (*drive)(SpringTable& table, const double* rest, const double* x, const double* v, double lag,
-                       std::size_t begin, std::size_t end) noexcept;
+    /// The rest lengths of quads [begin, end) become those of the step; work is told at lengths that are older by
+    /// its lag. Then the pulls, as above. Of springs without laws.
+    DriveWork (*drive)(SpringTable& table, DrivenQuad* driven, const DriveStep& step, const KernelInput& input,
+                       std::size_t begin, std::size_t end, double* pull) noexcept;
 };
 
 /// For any machine.

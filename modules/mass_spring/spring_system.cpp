@@ -19,7 +19,7 @@ SpringSystem::SpringSystem(const Network& network, Workers* workers)
       table_(network),
       kernels_(&best_kernels()),
       pull_(3 * table_.slots),
-      next_rest_(network.driven ? table_.quads.size() * Packing::kLanes : 0),
+      driven_(network.driven ? table_.quads.size() : 0),
       drives_(network.driven ? table_.quads.size() / kGrain + 1 : 0) {}
 
 void SpringSystem::network_changed() {
@@ -28,7 +28,8 @@ void SpringSystem::network_changed() {
     table_ = SpringTable(*network_);
     if (!external.empty()) packing().pack(external, external_);
     pull_.assign(3 * table_.slots, 0.0);
-    next_rest_.assign(network_->driven ? table_.quads.size() * Packing::kLanes : 0, 0.0);
+    driven_.assign(network_->driven ? table_.quads.size() : 0, {});
+    has_pulls_ = false;
     drives_.resize(network_->driven ? table_.quads.size() / kGrain + 1 : 0);
     creep_.clear();
     implicit_ = nullptr;
@@ -68,16 +69,21 @@ void SpringSystem::creep(std::span<const double> x, double h) noexcept {
     kernels_->creep(table_, x.data(), h, 0, table_.quads.size(), creep_.data());
 }
 
-DriveWork SpringSystem::drive(std::span<const double> x, std::span<const double> v, double lag) noexcept {
+DriveWork SpringSystem::drive(std::span<const double> x, std::span<const double> v, double share, double h,
+                              double lag) noexcept {
+    const KernelInput input = kernel_input(x.data(), v.data());
+    const DriveStep step{share, h, lag, !remembers_step_};
     auto range = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            drives_[i] = kernels_->drive(table_, next_rest_.data(), x.data(), v.data(), lag, i * kGrain,
-                                         std::min((i + 1) * kGrain, table_.quads.size()));
+            drives_[i] = kernels_->drive(table_, driven_.data(), step, input, i * kGrain,
+                                         std::min((i + 1) * kGrain, table_.quads.size()), pull_.data());
     };
     if (workers_ == nullptr)
         range(0, drives_.size());
     else
         workers_->for_each_range(drives_.size(), 1, range);
+    has_pulls_ = true;
+    remembers_step_ = true;
     DriveWork all;
     for (const DriveWork& each : drives_) {
         all.work += each.work;
@@ -86,9 +92,9 @@ DriveWork SpringSystem::drive(std::span<const double> x, std::span<const double>
     return all;
 }
 
-void SpringSystem::set_rest_lengths() noexcept {
-    for (std::size_t i = 0; i < next_rest_.size(); ++i)
-        table_.quads[i / Packing::kLanes].rest_length[i % Packing::kLanes] = next_rest_[i];
+void SpringSystem::begin_rest_path() noexcept {
+    for (std::size_t i = 0; i < driven_.size(); ++i) table_.quads[i].rest_length = driven_[i].begin;
+    remembers_step_ = false;
 }
 
 Tension SpringSystem::tension(std::size_t spring, double length) const noexcept {
@@ -116,7 +122,8 @@ std::size_t SpringSystem::length() const noexcept { return table_.packing.length
 
 std::size_t SpringSystem::memory_bytes() const noexcept {
     return table_.memory_bytes() + (implicit_ != nullptr ? implicit_->memory_bytes() : 0) +
-           (external_.capacity() + pull_.capacity() + creep_.capacity() + next_rest_.capacity()) * sizeof(double);
+           (external_.capacity() + pull_.capacity() + creep_.capacity()) * sizeof(double) +
+           driven_.capacity() * sizeof(DrivenQuad);
 }
 
 KernelInput SpringSystem::kernel_input(const double* x, const double* v) const noexcept {
@@ -128,25 +135,38 @@ KernelInput SpringSystem::kernel_input(const double* x, const double* v) const n
             drag_};
 }
 
-template <class SecondPass>
-void SpringSystem::evaluate(const KernelInput& input, SecondPass second_pass) noexcept {
-    work_ += evaluation_seconds();
+void SpringSystem::find_pulls(const KernelInput& input) noexcept {
     auto pulls = [&](std::size_t begin, std::size_t end) {
         kernels_->pulls(table_, input, begin, end, pull_.data());
     };
-    if (workers_ == nullptr) {
+    if (workers_ == nullptr)
         pulls(0, table_.quads.size());
+    else
+        workers_->for_each_range(table_.quads.size(), kGrain, pulls);
+}
+
+template <class SecondPass>
+void SpringSystem::use_pulls(SecondPass second_pass) noexcept {
+    work_ += evaluation_seconds();
+    has_pulls_ = false;
+    if (workers_ == nullptr)
         second_pass(0, table_.blocks.size());
-        return;
-    }
-    workers_->for_each_range(table_.quads.size(), kGrain, pulls);
-    workers_->for_each_range(table_.blocks.size(), kGrain, second_pass);
+    else
+        workers_->for_each_range(table_.blocks.size(), kGrain, second_pass);
 }
 
 void SpringSystem::accelerations(std::span<const double> x, std::span<const double> v,
                                  std::span<double> a) noexcept {
+    find_pulls(kernel_input(x.data(), v.data()));
+    has_pulls_ = true;
+    accelerations_at_start(x, v, a);
+}
+
+void SpringSystem::accelerations_at_start(std::span<const double> x, std::span<const double> v,
+                                          std::span<double> a) noexcept {
     const KernelInput input = kernel_input(x.data(), v.data());
-    evaluate(input, [&](std::size_t begin, std::size_t end) {
+    if (!has_pulls_) find_pulls(input);
+    use_pulls([&](std::size_t begin, std::size_t end) {
         kernels_->accelerations(table_, input, pull_.data(), begin, end, a.data());
     });
 }
@@ -155,7 +175,8 @@ void SpringSystem::kick_and_drift(std::span<double> x, std::span<double> v, doub
                                   double drift) noexcept {
     const KernelInput input = kernel_input(x.data(), nullptr);
     const KickAndDrift move{x.data(), v.data(), kick, drift};
-    evaluate(input, [&](std::size_t begin, std::size_t end) {
+    find_pulls(input);
+    use_pulls([&](std::size_t begin, std::size_t end) {
         kernels_->kicks(table_, input, pull_.data(), move, begin, end);
     });
 }

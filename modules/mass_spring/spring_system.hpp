@@ -27,6 +27,11 @@ public:
     virtual std::size_t length() const noexcept = 0;  ///< of x, of v and of a
     virtual void accelerations(std::span<const double> x, std::span<const double> v,
                                std::span<double> a) noexcept = 0;
+    /// The same, of the x and v that a step begins at: what was found of them before it need not be found anew.
+    virtual void accelerations_at_start(std::span<const double> x, std::span<const double> v,
+                                        std::span<double> a) noexcept {
+        accelerations(x, v, a);
+    }
 
     /// For methods of kicks and drifts, of systems that drag alone damps: v += kick a(x, 0), and then all goes
     /// on for `drift` seconds, which may be negative, as if nothing acted but drag (see drag_drift.hpp).
@@ -99,15 +104,19 @@ public:
     /// told instead of this.
     void network_changed();
 
-    /// m, of a driven network: where its springs' next rest lengths are written, that of spring i at
-    /// rest_place(i), the places of one thread side by side.
-    std::span<double> next_rest_lengths() noexcept { return next_rest_; }
-    std::size_t rest_place(std::size_t spring) const noexcept { return table_.place[spring]; }
-    /// They become those that springs have, at packed x and v; `lag` s, by which v are older than x. Work is
-    /// told at positions as old as the velocities: it is there that a method with a lag keeps energy.
-    DriveWork drive(std::span<const double> x, std::span<const double> v, double lag) noexcept;
-    /// The same, and no work is told.
-    void set_rest_lengths() noexcept;
+    /// Of a driven network, whose rest lengths go evenly from those of a begin (0) to those of an end (1): m.
+    void set_rest_path(std::size_t spring, std::size_t end, double length) noexcept {
+        const std::size_t at = table_.place[spring];
+        DrivenQuad& quad = driven_[at / Packing::kLanes];
+        (end == 0 ? quad.begin : quad.end)[at % Packing::kLanes] = length;
+    }
+    /// Springs have those of the path's begin, no work is told, and no step before is remembered.
+    void begin_rest_path() noexcept;
+    /// Springs have those at `share` of the path from now on, a step of h seconds beginning at packed x and v.
+    /// Work is told of positions older than x by `lag` steps (see MethodInfo): it is there that a method keeps
+    /// energy. Damping is that of the way since the last step began.
+    DriveWork drive(std::span<const double> x, std::span<const double> v, double share, double h,
+                    double lag) noexcept;
     double rest_length(std::size_t spring) const noexcept {
         if (!network_->driven) return network_->springs[spring].rest_length;
         const std::size_t at = table_.place[spring];
@@ -141,6 +150,8 @@ public:
     /// m/s^2; zero for fixed particles.
     void accelerations(std::span<const double> x, std::span<const double> v,
                        std::span<double> a) noexcept override;
+    void accelerations_at_start(std::span<const double> x, std::span<const double> v,
+                                std::span<double> a) noexcept override;
     void kick_and_drift(std::span<double> x, std::span<double> v, double kick, double drift) noexcept override;
     double spectral_radius() override;
     bool prepare(std::span<const double> x, double c, double k, Tangent tangent) override;
@@ -168,9 +179,10 @@ public:
 
 private:
     KernelInput kernel_input(const double* x, const double* v) const noexcept;
-    /// The springs' pulls, then `second_pass(begin, end)` over all blocks.
+    void find_pulls(const KernelInput& input) noexcept;
+    /// After find_pulls(): `second_pass(begin, end)` over all blocks.
     template <class SecondPass>
-    void evaluate(const KernelInput& input, SecondPass second_pass) noexcept;
+    void use_pulls(SecondPass second_pass) noexcept;
 
     const Network* network_;
     Workers* workers_;  ///< null when there are too few springs to share
@@ -178,16 +190,18 @@ private:
     const SpringKernels* kernels_;
     Vec3 gravity_;
     double drag_ = 0;
-    std::vector<double> external_;  ///< packed; empty: none
-    std::vector<double> pull_;      ///< N, three planes of a slot per spring, scratch
-    std::vector<double> next_rest_;   ///< m, as table_.place says; empty: not driven
+    std::vector<double> external_;    ///< packed; empty: none
+    std::vector<double> pull_;        ///< N, three planes of a slot per spring, scratch
+    std::vector<DrivenQuad> driven_;  ///< empty: not driven
+    bool remembers_step_ = false;     ///< driven_ does
+    bool has_pulls_ = false;          ///< pull_ is that of where a step begins
     std::vector<DriveWork> drives_;   ///< of ranges of quads, scratch
-    std::vector<double> creep_;     ///< m, as table_.place says; empty: arms bear nothing
+    std::vector<double> creep_;       ///< m, as table_.place says; empty: arms bear nothing
     LinearSolverKind linear_solver_ = LinearSolverKind::automatic;
     std::unique_ptr<ImplicitTangent> implicit_;  ///< null until an implicit method asks
     mutable double work_ = 0;                    ///< s
     StepHooks* hooks_ = nullptr;
-    double spectral_radius_ = -1;                ///< 1/s; negative until a method asks
+    double spectral_radius_ = -1;  ///< 1/s; negative until a method asks
 };
 
 /// Tension (N, negative in compression) of one spring without its arm, its elastic part.

@@ -13,7 +13,7 @@ public:
     explicit VelocityVerlet(std::size_t length) : first_(length), second_(length), predicted_(length) {}
 
     void step(DynamicSystem& system, std::span<double> x, std::span<double> v, double h) override {
-        system.accelerations(x, v, first_);
+        system.accelerations_at_start(x, v, first_);
         wide_loop(x.size(), [h, x = x.data(), v = v.data(), a = first_.data(),
                              p = predicted_.data()](std::size_t i) ORBWEAVER_ALWAYS_INLINE {
             x[i] += h * (v[i] + h / 2 * a[i]);

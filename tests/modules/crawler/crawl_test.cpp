@@ -116,7 +116,8 @@ TEST_CASE("a body that is dropped comes to rest on the floor, whichever way up, 
         Setup setup = bar();
         setup.friction = {FrictionLaw::coulomb, 0.2, 0.5, 0.4};
         setup.poses = {pose};
-        setup.step = 5e-5;
+        const bool is_flat = pose.forward.x == 1;
+        setup.step = is_flat ? 1e-5 : 5e-5;
         Run run(setup);
         const double start = run.energy().total();
         const double width = setup.build.width, weight = run.mass() * kG;
@@ -131,15 +132,14 @@ TEST_CASE("a body that is dropped comes to rest on the floor, whichever way up, 
         CHECK(end.kinetic < 1e-9 * weight * width);
         // Flat on its side, but for what its weight does to springs.
         CHECK(run.center().y == Approx(width / 2).epsilon(0.01));
-        // Books are of the first order where speeds jump: 2 % at this step, 0.6 % at a fifth of it.
         const Books books = run.books();
         const double lost = start - end.total();
         CHECK(books.muscles == 0);
         CHECK(books.friction >= 0);
-        CHECK(books.friction + books.impact + books.damping == Approx(lost).epsilon(0.03));
+        CHECK(books.friction + books.impact + books.damping == Approx(lost).epsilon(1e-4));
         // The half of a flat bar that is below stops at once, and what is above falls on: it stops half of the
-        // energy that fell. 2 % are found to be missing.
-        if (pose.forward.x == 1) CHECK(books.impact == Approx(lost / 2).epsilon(0.04));
+        // energy that fell, and as much more as damping takes during half of that step: 3 % are found.
+        if (is_flat) CHECK(books.impact == Approx(lost / 2).epsilon(0.04));
         // The floor bears its weight, and pulls nowhere.
         Vec3 borne;
         for (const Vec3& each : run.reaction) {
@@ -227,6 +227,7 @@ TEST_CASE("a bar on a slope lies still where friction bears it, else slides as C
 TEST_CASE("enormous friction holds a bar on slopes that are steep, along and across", "[unit]") {
     for (const auto& [along, aside] : {std::pair{20.0, 0.0}, {-20.0, 0.0}, {0.0, 8.0}, {4.0, -7.0}}) {
         Setup setup = on_slope(along, aside, {FrictionLaw::coulomb, 1e9, 1e9, 1e9}, "symplectic_euler");
+        setup.step = 5e-5;
         Run run(setup);
         run.advance(0.3);  // it leans and trembles first
         const auto start = run.x;
@@ -235,7 +236,7 @@ TEST_CASE("enormous friction holds a bar on slopes that are steep, along and acr
         CHECK(run.center().y == Approx(setup.build.width / 2).epsilon(0.05));
         CHECK(norm(across(run.center(), {0, 1, 0})) < 0.06 * setup.build.width);  // of leaning
         // What it cost until springs lay still, beside a fall by its width.
-        CHECK(std::abs(run.books().friction) < 0.02 * run.mass() * kG * setup.build.width);
+        CHECK(std::abs(run.books().friction) < 0.006 * run.mass() * kG * setup.build.width);
     }
 }
 
