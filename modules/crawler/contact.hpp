@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstring>
 
 #include "friction.hpp"
+#include "ground.hpp"
 #include "mass_spring/lanes.hpp"
 #include "touch.hpp"
 
@@ -17,18 +19,27 @@ struct Four {
     std::size_t plane, a, b;
 
     ORBWEAVER_INLINE Lanes get(const double* from) const noexcept {
-        return Lanes{from[a], from[a + 1], from[b], from[b + 1]};
+        Pair first, second;
+        std::memcpy(&first, from + a, sizeof first);
+        std::memcpy(&second, from + b, sizeof second);
+        return __builtin_shufflevector(first, second, 0, 1, 2, 3);
     }
     ORBWEAVER_INLINE Vec3Lanes get_vectors(const double* from) const noexcept {
         return {get(from), get(from + plane), get(from + 2 * plane)};
     }
     ORBWEAVER_INLINE void put(const Lanes& what, double* to) const noexcept {
-        to[a] = what[0], to[a + 1] = what[1], to[b] = what[2], to[b + 1] = what[3];
+        const Pair first = __builtin_shufflevector(what, what, 0, 1);
+        const Pair second = __builtin_shufflevector(what, what, 2, 3);
+        std::memcpy(to + a, &first, sizeof first);
+        std::memcpy(to + b, &second, sizeof second);
     }
     ORBWEAVER_INLINE void put_vectors(const Vec3Lanes& what, double* to) const noexcept {
         put(what.x, to), put(what.y, to + plane), put(what.z, to + 2 * plane);
     }
     std::size_t point(std::size_t lane) const noexcept { return (lane < 2 ? a : b) + lane % 2; }
+
+private:
+    using Pair = double __attribute__((vector_size(16)));
 };
 
 ORBWEAVER_INLINE double sum(const Lanes& of) noexcept { return (of[0] + of[1]) + (of[2] + of[3]); }
@@ -56,6 +67,10 @@ ORBWEAVER_INLINE Touches touch_all(const AnyGround& ground, const Vec3Lanes& x, 
         all.grip[j] = touch.grip;
     }
     return all;
+}
+
+ORBWEAVER_INLINE Touches touch_all(const Floor& floor, const Vec3Lanes& x, const Four&) noexcept {
+    return {floor.height - x.y, {Lanes{}, in_all(1), Lanes{}}, in_all(1)};
 }
 
 /// In the plane across a normal, of length 1. Where it has nothing there, nothing tells forward from sideways.
@@ -117,18 +132,19 @@ ORBWEAVER_INLINE void meet_ground(const Touches& touch, const LaneBits& are_on, 
     const Lanes left = into + pressing - pressed;
     const Vec3Lanes free = along - held;  // without friction
     const Sliding slid = slide(friction, touch.grip * (pressing + points.holds),
-                               {are_on ? dot(free, spine) : Lanes{}, are_on ? dot(free, side) : Lanes{}});
+                               {are_on ? dot(free, spine) : Lanes{}, are_on ? dot(free, side) : Lanes{}},
+                               mass_spring::sqrt(dot(points.start_v, points.start_v)));
     const Vec3Lanes slides = spine * slid.along + side * slid.across;
-    const Lanes lifted = larger_of(touch.depth - points.allowance, Lanes{}), lift = lifted / h;
+    const Lanes lifted = larger_of(touch.depth - points.allowance, Lanes{}), lift = lifted * (1 / h);
     // What all but the ground gave them into the ground; the rest of what is taken is their fall, which ends
     // here: the ground goes on to press as it does without.
     const Lanes share = pressing > Lanes{} ? -given_up / pressing : in_all(1);
     const Lanes lasting = larger_of(Lanes{}, share < 1 ? share : in_all(1));
     const double lag = points.lag;
-    const Lanes held_work =
-        dot(held, moved) / h + lag * (dot(given, points.turned - n * turned_up) - dot(held, given + held));
+    const Lanes held_work = dot(held, moved) * (1 / h) +
+                            lag * (dot(given, points.turned - n * turned_up) - dot(held, given + held));
     const Lanes pressed_work =
-        pressed * on_way / h + lag * (given_up * turned_up - pressed * (given_up + pressed));
+        pressed * on_way * (1 / h) + lag * (given_up * turned_up - pressed * (given_up + pressed));
     const Lanes slide_work = 0.5 * (dot(slides, slides) - dot(along, along));
     const Lanes landing_work = 0.5 * (left * left - into * into) - (1 - lag) * given_up * lift;
     const Vec3Lanes slip = moved - n * on_way;

@@ -171,6 +171,11 @@ void Crawl::before_step(std::span<const double> x, std::span<const double> v, do
 
 void Crawl::after_step(std::span<double> x, std::span<double> v, double h) noexcept {
     elapsed_ += h;
+    if (system_->drag() > 0) {
+        double work = 0;  // over the way of the step, per drag
+        for (std::size_t i = 0; i < x.size(); ++i) work += start_v_[i] * (x[i] - start_x_[i]);
+        frame_.damping += system_->drag() * work;
+    }
     with_ground(
         [&](const auto& ground) { for_each_body([&](std::uint32_t body) { meet(ground, body, x, v, h); }); });
 }

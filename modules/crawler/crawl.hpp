@@ -27,7 +27,7 @@ struct Drive {
 /// J, over a frame or a run of all bodies, and what goes with them.
 struct Books {
     double muscles = 0;   ///< that muscles did
-    double damping = 0;   ///< that springs' damping took
+    double damping = 0;   ///< that springs' damping and drag took
     double friction = 0;  ///< that sliding took
     double impact = 0;    ///< that the ground took of motion into it, less what it gave by lifting points
     double slip = 0;      ///< m, that points slid on the ground, all together
@@ -67,6 +67,7 @@ public:
     void after_step(std::span<double> x, std::span<double> v, double h) noexcept override;
     double work() const noexcept override;
     double turnover() const noexcept override;
+    double damping_loss() const noexcept override { return frame_.damping; }
     void keep() noexcept override;
 
 private:

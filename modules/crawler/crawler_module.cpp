@@ -174,7 +174,7 @@ private:
 
     /// Well within what the springs alone allow: near that limit, points that touch the ground shake on it.
     void choose_step() {
-        constexpr double kShare = 0.6;
+        constexpr double kShare = 0.75;
         // All bodies are alike.
         const Lattice one{1, lattice_.segments};
         const mass_spring::Network network = make_network(one, crawler_.build);

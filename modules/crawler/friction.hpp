@@ -35,12 +35,13 @@ ORBWEAVER_INLINE Lanes to_order_one(const Lanes& of) noexcept {
 
 /// The speed r at which velocities end that slide to an end under impulses a and b along their parts:
 ///     S(r) = (v_a / (r + a))^2 + (v_b / (r + b))^2 = 1.
-/// Newton's method for 1/sqrt(S) = 1, whose left side is concave and all but straight, so that it climbs to the
-/// root from below; with t = S - 1, sqrt(1 + t) is (1 + 11/12 t)/(1 + t/6) S-fold, no more than it is. All of
-/// the order of one or limited; means nothing where all comes to rest.
-ORBWEAVER_INLINE Lanes end_speed(const Sliding& v, const Lanes& a, const Lanes& b,
-                                 const LaneBits& rests) noexcept {
-    constexpr int kAsARule = 3, kMost = 60;
+/// Newton's method for 1/sqrt(S) = 1, whose left side is concave and all but straight, so that after a step it
+/// climbs to the root from below. With t = S - 1, sqrt(1 + t) - 1 is t/2 (1 + 11/12 t)/((1 + t)(1 + t/6)), or a
+/// little more. All numbers are of the order of one, or limited; the result means nothing where all comes to
+/// rest.
+ORBWEAVER_INLINE Lanes end_speed(const Sliding& v, const Lanes& a, const Lanes& b, const LaneBits& rests,
+                                 const Lanes& expected) noexcept {
+    constexpr int kAsARule = 2, kMost = 60;
     constexpr double kEnough = 3e-5;  // of r: the step after it would change r by less than the square of that
     constexpr double kLeast = 1e-12;
     const Lanes va = v.along * v.along, vb = v.across * v.across;
@@ -49,7 +50,7 @@ ORBWEAVER_INLINE Lanes end_speed(const Sliding& v, const Lanes& a, const Lanes& 
     const Lanes halfway = 0.9238 * larger_of(along, across) + 0.3826 * smaller_of(along, across);
     const Lanes least =
         larger_of(larger_of(in_all(kLeast), halfway - larger_of(a, b)), larger_of(along - a, across - b));
-    Lanes r = least, change;
+    Lanes r = larger_of(least, expected), change;
     const auto climb = [&]() ORBWEAVER_ALWAYS_INLINE {
         const Lanes to_a = r + a, to_b = r + b, a2 = to_a * to_a, b2 = to_b * to_b;
         const Lanes both = to_a * to_b, both2 = both * both;
@@ -67,8 +68,10 @@ ORBWEAVER_INLINE Lanes end_speed(const Sliding& v, const Lanes& a, const Lanes& 
 ///
 /// Coulomb's friction on scales (Hu and Shelley 2012) bears mu_i u_i of the pressing along each axis, u =
 /// v/|v|, with the coefficient of the way that it slides. It is taken at the end of the impulse, so that
-/// nothing is turned round, and what the impulse can stop rests.
-ORBWEAVER_INLINE Sliding slide(const Friction& friction, const Lanes& pressing, const Sliding& v) noexcept {
+/// nothing is turned round, and what the impulse can stop rests. `expected`: m/s, a speed that may be near the
+/// one that it ends with.
+ORBWEAVER_INLINE Sliding slide(const Friction& friction, const Lanes& pressing, const Sliding& v,
+                               const Lanes& expected) noexcept {
     if (friction.law == FrictionLaw::one_way) return {larger_of(v.along, Lanes{}), v.across};
     // Beyond a limit an impulse might as well be nothing, or endless.
     constexpr double kLimit = 1e30;
@@ -82,7 +85,7 @@ ORBWEAVER_INLINE Sliding slide(const Friction& friction, const Lanes& pressing, 
     const Lanes p = scaled.along * b, q = scaled.across * a, both = a * b;
     const LaneBits rests = p * p + q * q <= both * both;
     if (!is_any(~rests)) return {Lanes{}, Lanes{}};
-    const Lanes r = end_speed(scaled, a, b, rests);
+    const Lanes r = end_speed(scaled, a, b, rests, expected * scale);
     return {rests ? Lanes{} : v.along * (r / (r + a)), rests ? Lanes{} : v.across * (r / (r + b))};
 }
 

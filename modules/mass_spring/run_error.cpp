@@ -134,21 +134,31 @@ void RunError::keep_books(const FrameRun& frame, double omega) {
     lost_.add(whole, whole.energy > 0 ? loss_of(frame, 2 * frame.steps, omega) : Loss{});
 }
 
+std::optional<double> RunError::damping_loss(double h, std::int64_t steps) {
+    StepBudget steps_left = budget();
+    if (const StepHooks* hooks = system_->hooks()) {
+        if (!integrator_->advance(trial_x_, trial_v_, h, steps, steps_left)) return {};
+        return hooks->damping_loss();
+    }
+    double before = dissipated_power(*system_, trial_x_, trial_v_), lost = 0;
+    for (std::int64_t i = 0; i < steps; ++i) {
+        if (!integrator_->advance(trial_x_, trial_v_, h, 1, steps_left)) return {};
+        const double after = dissipated_power(*system_, trial_x_, trial_v_);
+        lost += h / 2 * (before + after);
+        before = after;
+    }
+    return lost;
+}
+
 Loss RunError::loss_of(const FrameRun& frame, std::int64_t steps, double omega) {
     const double h = frame_step_ / static_cast<double>(steps);
     start_trial(frame);
     const Phase start = phase_of(*system_, trial_x_, trial_v_);
-    double before = dissipated_power(*system_, trial_x_, trial_v_), explained = 0;
-    StepBudget steps_left = budget();
-    for (std::int64_t i = 0; i < steps; ++i) {
-        if (!integrator_->advance(trial_x_, trial_v_, h, 1, steps_left)) return {};
-        const double after = dissipated_power(*system_, trial_x_, trial_v_);
-        explained += h / 2 * (before + after);
-        before = after;
-    }
+    const std::optional<double> explained = damping_loss(h, steps);
+    if (!explained) return {};
     const EnergyBalance balance =
         balance_energy(*system_, frame.start_energy, frame.start_x, trial_x_, trial_v_);
-    const double unexplained = -balance.gain - explained;
+    const double unexplained = -balance.gain - *explained;
     if (!(unexplained > balance.rounding)) return {};
     const double slowest = std::min(omega, LostVibrations::kFollowed / h);
     return loss_between(system_->network(), start, phase_of(*system_, trial_x_, trial_v_), unexplained, slowest,

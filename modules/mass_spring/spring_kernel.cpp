@@ -188,30 +188,30 @@ DriveWork plain_drive(SpringTable& table, DrivenQuad* driven, const DriveStep& s
     return any_drive(table, driven, step, input, begin, end, pull);
 }
 
-ORBWEAVER_AVX2 void avx2_pulls(const SpringTable& table, const KernelInput& input, std::size_t begin,
-                               std::size_t end, double* pull) noexcept {
-    any_pulls(table, input, begin, end, pull);
+void wide_pulls(const SpringTable& table, const KernelInput& input, std::size_t begin, std::size_t end,
+                double* pull) noexcept {
+    run_wide([&]() ORBWEAVER_ALWAYS_INLINE { any_pulls(table, input, begin, end, pull); });
 }
 
-ORBWEAVER_AVX2 void avx2_accelerations(const SpringTable& table, const KernelInput& input, const double* pull,
-                                       std::size_t begin, std::size_t end, double* a) noexcept {
-    any_accelerations(table, input, pull, begin, end, a);
+void wide_accelerations(const SpringTable& table, const KernelInput& input, const double* pull,
+                        std::size_t begin, std::size_t end, double* a) noexcept {
+    run_wide([&]() ORBWEAVER_ALWAYS_INLINE { any_accelerations(table, input, pull, begin, end, a); });
 }
 
-ORBWEAVER_AVX2 void avx2_kicks(const SpringTable& table, const KernelInput& input, const double* pull,
-                               const KickAndDrift& move, std::size_t begin, std::size_t end) noexcept {
-    any_kicks(table, input, pull, move, begin, end);
+void wide_kicks(const SpringTable& table, const KernelInput& input, const double* pull,
+                const KickAndDrift& move, std::size_t begin, std::size_t end) noexcept {
+    run_wide([&]() ORBWEAVER_ALWAYS_INLINE { any_kicks(table, input, pull, move, begin, end); });
 }
 
-ORBWEAVER_AVX2 void avx2_creep(const SpringTable& table, const double* x, double h, std::size_t begin,
-                               std::size_t end, double* creep) noexcept {
-    any_creep(table, x, h, begin, end, creep);
+void wide_creep(const SpringTable& table, const double* x, double h, std::size_t begin, std::size_t end,
+                double* creep) noexcept {
+    run_wide([&]() ORBWEAVER_ALWAYS_INLINE { any_creep(table, x, h, begin, end, creep); });
 }
 
-ORBWEAVER_AVX2 DriveWork avx2_drive(SpringTable& table, DrivenQuad* driven, const DriveStep& step,
-                                    const KernelInput& input, std::size_t begin, std::size_t end,
-                                    double* pull) noexcept {
-    return any_drive(table, driven, step, input, begin, end, pull);
+DriveWork wide_drive(SpringTable& table, DrivenQuad* driven, const DriveStep& step, const KernelInput& input,
+                     std::size_t begin, std::size_t end, double* pull) noexcept {
+    return run_wide(
+        [&]() ORBWEAVER_ALWAYS_INLINE { return any_drive(table, driven, step, input, begin, end, pull); });
 }
 
 }  // namespace
@@ -222,14 +222,14 @@ const SpringKernels& plain_kernels() noexcept {
     return kernels;
 }
 
-const SpringKernels* avx2_kernels() noexcept {
-    static constexpr SpringKernels kernels{avx2_pulls, avx2_accelerations, avx2_kicks, avx2_creep, avx2_drive};
+const SpringKernels* wide_kernels() noexcept {
+    static constexpr SpringKernels kernels{wide_pulls, wide_accelerations, wide_kicks, wide_creep, wide_drive};
     return has_avx2() ? &kernels : nullptr;
 }
 
 const SpringKernels& best_kernels() noexcept {
-    const SpringKernels* avx2 = avx2_kernels();
-    return avx2 != nullptr ? *avx2 : plain_kernels();
+    const SpringKernels* wide = wide_kernels();
+    return wide != nullptr ? *wide : plain_kernels();
 }
 
 }  // namespace orbweaver::mass_spring

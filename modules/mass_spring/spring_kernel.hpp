@@ -75,8 +75,8 @@ struct SpringKernels {
 
 /// For any machine.
 const SpringKernels& plain_kernels() noexcept;
-/// Null where the processor or the compiler has no AVX2.
-const SpringKernels* avx2_kernels() noexcept;
+/// For AVX-512 or AVX2; null where the processor or the compiler has none.
+const SpringKernels* wide_kernels() noexcept;
 /// The fastest that this machine can run.
 const SpringKernels& best_kernels() noexcept;
 

@@ -5,9 +5,9 @@
 namespace orbweaver::mass_spring {
 
 /// What acts on a system between the steps of its method rather than within them: muscles, which give springs
-/// other rest lengths, and contact, which turns velocities and presses. Vectors are packed (see Packing). It knows when a
-/// step is taken from the frame that its owner is in and the steps since rewind(), and it remembers nothing
-/// else, so that a frame can be run again.
+/// other rest lengths, and contact, which turns velocities and presses. Vectors are packed (see Packing). It
+/// knows when a step is taken from the frame that its owner is in and the steps since rewind(), and it
+/// remembers nothing else, so that a frame can be run again.
 class StepHooks {
 public:
     /// The next step is the first of the frame.
@@ -18,6 +18,8 @@ public:
     /// J since rewind(): done on the system, less what was taken from it; and how much of both together.
     virtual double work() const noexcept = 0;
     virtual double turnover() const noexcept = 0;
+    /// J since rewind(), that springs' damping and drag took.
+    virtual double damping_loss() const noexcept = 0;
     /// The frame stays as it was run since rewind().
     virtual void keep() noexcept = 0;
 

@@ -13,23 +13,14 @@
 
 namespace orbweaver::mass_spring {
 
-template <class Body>
-ORBWEAVER_AVX2 void wide_loop_avx2(std::size_t count, const Body& body) noexcept {
-    ORBWEAVER_INDEPENDENT
-    for (std::size_t i = 0; i < count; ++i) body(i);
-}
-
-template <class Body>
-void wide_loop_plain(std::size_t count, const Body& body) noexcept {
-    ORBWEAVER_INDEPENDENT
-    for (std::size_t i = 0; i < count; ++i) body(i);
-}
-
 /// body(i) for i in [0, count), in vectors as wide as the processor has; the bits are the same. No call may
 /// depend on another. For speed `body` captures plain pointers by value and is marked ORBWEAVER_ALWAYS_INLINE.
 template <class Body>
 void wide_loop(std::size_t count, const Body& body) noexcept {
-    (has_avx2() ? wide_loop_avx2<Body> : wide_loop_plain<Body>)(count, body);
+    run_wide([count, &body]() ORBWEAVER_ALWAYS_INLINE {
+        ORBWEAVER_INDEPENDENT
+        for (std::size_t i = 0; i < count; ++i) body(i);
+    });
 }
 
 }  // namespace orbweaver::mass_spring

@@ -7,12 +7,6 @@
 #include "half_jacobian.hpp"
 #include "restarts.hpp"
 
-#if defined(__x86_64__)
-#define ORBWEAVER_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl")))
-#else
-#define ORBWEAVER_AVX512
-#endif
-
 namespace orbweaver::spider {
 
 namespace {
@@ -50,15 +44,6 @@ ORBWEAVER_AVX2 void avx2(const LaneBlock& legs, const double* targets, const Leg
 ORBWEAVER_AVX512 void avx512(const LaneBlock& legs, const double* targets, const LegSolverOptions& options,
                              double* angles, LaneEnds& ends) noexcept {
     solve_lanes(legs.all, 0, targets, options, angles, ends);
-}
-
-bool has_avx512() noexcept {
-#if defined(__x86_64__)
-    return has_avx2() && __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-           __builtin_cpu_supports("avx512vl") != 0;
-#else
-    return false;
-#endif
 }
 
 template <class Lanes>

@@ -158,10 +158,10 @@ void advice(benchmark::State& state, const char* name, double damping) {
 
 BENCHMARK_CAPTURE(forces, plain_undamped, thesis_web(0), &plain_kernels());
 BENCHMARK_CAPTURE(forces, plain_damped, thesis_web(1e-6), &plain_kernels());
-BENCHMARK_CAPTURE(forces, avx2_undamped, thesis_web(0), avx2_kernels());
-BENCHMARK_CAPTURE(forces, avx2_damped, thesis_web(1e-6), avx2_kernels());
-BENCHMARK_CAPTURE(forces, avx2_shuffled, shuffled(), avx2_kernels());
-BENCHMARK_CAPTURE(forces, avx2_tangle, tangle(), avx2_kernels());
+BENCHMARK_CAPTURE(forces, wide_undamped, thesis_web(0), wide_kernels());
+BENCHMARK_CAPTURE(forces, wide_damped, thesis_web(1e-6), wide_kernels());
+BENCHMARK_CAPTURE(forces, wide_shuffled, shuffled(), wide_kernels());
+BENCHMARK_CAPTURE(forces, wide_tangle, tangle(), wide_kernels());
 BENCHMARK_CAPTURE(step, explicit_euler, "explicit_euler");
 BENCHMARK_CAPTURE(step, symplectic_euler, "symplectic_euler");
 BENCHMARK_CAPTURE(step, rk4, "rk4");

@@ -32,6 +32,7 @@ struct Setup {
     std::int64_t max_substeps = 100000;
     double frame = 1 / 60.;  ///< s
     Vec3 gravity{0, -9.81, 0};
+    double drag = 0;          ///< N s/m
     std::vector<Pose> poses;  ///< none: on the floor along x
     Workers* workers = nullptr;
 
@@ -59,7 +60,7 @@ public:
           crawl(system, lattice_, setup.build, waves_, setup.friction, setup.ground, reaction,
                 mass_spring::find_method(setup.method)->lag, setup.workers),
           drives_(setup.bodies) {
-        system.set_surroundings({setup.gravity, 0, {}});
+        system.set_surroundings({setup.gravity, setup.drag, {}});
         mass_spring::SimulationSettings settings;
         settings.method = mass_spring::find_method(setup.method);
         settings.step = setup.step;

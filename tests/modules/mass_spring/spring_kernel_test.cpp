@@ -93,9 +93,9 @@ TEST_CASE("kernels and workers give the same bits", "[unit]") {
         const auto plain = accelerations_of(body, around, plain_kernels(), nullptr);
         TwoWorkers workers;
         CHECK(bodies::same_bits(plain, accelerations_of(body, around, plain_kernels(), &workers)));
-        if (avx2_kernels() != nullptr) {
-            CHECK(bodies::same_bits(plain, accelerations_of(body, around, *avx2_kernels(), nullptr)));
-            CHECK(bodies::same_bits(plain, accelerations_of(body, around, *avx2_kernels(), &workers)));
+        if (wide_kernels() != nullptr) {
+            CHECK(bodies::same_bits(plain, accelerations_of(body, around, *wide_kernels(), nullptr)));
+            CHECK(bodies::same_bits(plain, accelerations_of(body, around, *wide_kernels(), &workers)));
         }
         const auto moved = kicked(body, around, plain_kernels(), nullptr);
         CHECK(bodies::same_bits(moved, kicked(body, around, best_kernels(), nullptr)));

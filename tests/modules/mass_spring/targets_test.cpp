@@ -19,6 +19,7 @@ TEST_CASE("the processor's widest vectors are used, and none where the environme
         return;
     }
     CHECK_FALSE(has_avx2());
-    CHECK(avx2_kernels() == nullptr);
+    CHECK_FALSE(has_avx512());
+    CHECK(wide_kernels() == nullptr);
     CHECK(&best_kernels() == &plain_kernels());
 }
