@@ -52,14 +52,16 @@ TEST_CASE("every scene of crawlers runs a second without a warning and accounts 
             CHECK(std::isfinite(crawler["measures"][name].get<double>()));
         }
         CHECK(std::isfinite(crawler["error_estimate"]["value"].get<double>()));
-        CHECK(crawler["measures"]["energy_gain_j"] == 0.0);
+        // While next to nothing moves, damping may hide less than books are off by.
+        CHECK(crawler["measures"]["energy_gain_j"].get<double>() <=
+              1e-12 + 1e-6 * crawler["measures"]["work_in_j"].get<double>());
     }
 }
 
 TEST_CASE("a worm keeps its volume and explains its energy", "[scene]") {
     if (kSanitized) return;
     const json measures = crawlers_in(report_of_run(scene_path("worm")))[0]["measures"];
-    CHECK(measures["unexplained_share"] < 0.01);
+    CHECK(measures["unexplained_share"] < 1e-3);
     CHECK(measures["max_volume_error"] < 0.01);
     CHECK(measures["lengths_per_cycle"] > 0.05);
     CHECK(measures["cost_of_transport"] > 0);
