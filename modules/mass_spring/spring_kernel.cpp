@@ -66,7 +66,7 @@ ORBWEAVER_INLINE void any_creep(const SpringTable& table, const double* x, doubl
 
 ORBWEAVER_INLINE double sum(const Lanes& of) noexcept { return (of[0] + of[1]) + (of[2] + of[3]); }
 
-/// As pulls(), of springs that are damped or of no damping.
+/// See pulls() for the arithmetic of the forces, which is the same.
 template <bool damped>
 ORBWEAVER_INLINE DriveWork drive(SpringTable& table, DrivenQuad* driven, const DriveStep& step,
                                  const KernelInput& input, std::size_t begin, std::size_t end,
@@ -75,27 +75,27 @@ ORBWEAVER_INLINE DriveWork drive(SpringTable& table, DrivenQuad* driven, const D
     Lanes doubled_work{}, doubled_damping{};
     for (std::size_t i = begin; i < end; ++i) {
         SpringTable::Quad& quad = table.quads[i];
-        DrivenQuad& drive = driven[i];
+        DrivenQuad& path = driven[i];
         const Vec3Lanes l = load(input.x + quad.a, plane) - load(input.x + quad.b, plane);
         const Vec3Lanes dl = load(input.v + quad.a, plane) - load(input.v + quad.b, plane);
         const Lanes length = sqrt(dot(l, l));
         const Lanes inverse = 1 / (length + kNoLength);
-        const Lanes rate = dot(l, dl) * inverse;
-        const Lanes grown = step.is_new ? step.h * rate : length - load(drive.length.data());
-        const Lanes last_rate = step.is_new ? rate : load(drive.rate.data());
+        const Lanes along = dot(l, dl), rate = along * inverse;
+        const Lanes grown = step.is_new ? step.h * rate : length - load(path.length.data());
+        const Lanes last_rate = step.is_new ? rate : load(path.rate.data());
         const Lanes stiffness = load(quad.stiffness.data()), before = load(quad.rest_length.data());
-        const Lanes from = load(drive.begin.data());
-        const Lanes after = from + step.share * (load(drive.end.data()) - from);
+        const Lanes from = load(path.begin.data());
+        const Lanes after = from + step.share * (load(path.end.data()) - from);
         doubled_work += stiffness * (after - before) * (after + before - 2 * (length - step.lag * grown));
         Lanes force = stiffness * (length - after);
         if constexpr (damped) {
             const Lanes damping = load(table.damping[i].data());
             doubled_damping += damping * (last_rate + rate) * grown;
-            force += damping * rate;
+            force += damping * along * inverse;
         }
         store(quad.rest_length.data(), after);
-        store(drive.length.data(), length);
-        store(drive.rate.data(), rate);
+        store(path.length.data(), length);
+        store(path.rate.data(), rate);
         store(pull + quad.slot, table.slots, l * (force * inverse));
     }
     return {0.5 * sum(doubled_work), 0.5 * sum(doubled_damping)};
