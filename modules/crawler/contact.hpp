@@ -114,10 +114,10 @@ struct LandingBooks {
 
 /// Those that `are_on` the ground are met by it; others were left by it during the step, if it pressed them.
 ///
-/// An impulse does its work on the mean of the velocities before and after it. Where velocities are older than
-/// positions, as far as they lag it is the velocity of the other side of what springs and weight give a point
-/// in a step that belongs to the impulse: the one before for the reaction and for what lifts a point, which is
-/// part of the step's way, and the next one for what turns it after that.
+/// An impulse does its work on the mean of the velocities before and after it. Where velocities are half a step
+/// older than positions, what springs and weight give a point in a step belongs to the time between two ways,
+/// and so does what the ground gives it there: half of what they give counts with what turned it after the way
+/// before, and half of it against what is part of the way that follows, the reaction and what lifts it.
 ORBWEAVER_INLINE void meet_ground(const Touches& touch, const LaneBits& are_on, const Friction& friction,
                                   double h, Landing& points, LandingBooks& books) noexcept {
     const Vec3Lanes n = touch.normal, moved = points.x - points.start;

@@ -50,7 +50,7 @@ ORBWEAVER_INLINE Lanes end_speed(const Sliding& v, const Lanes& a, const Lanes& 
     const Lanes halfway = 0.9238 * larger_of(along, across) + 0.3826 * smaller_of(along, across);
     const Lanes least =
         larger_of(larger_of(in_all(kLeast), halfway - larger_of(a, b)), larger_of(along - a, across - b));
-    Lanes r = larger_of(least, expected), change;
+    Lanes r = larger_of(least, smaller_of(expected, along + across)), change;
     const auto climb = [&]() ORBWEAVER_ALWAYS_INLINE {
         const Lanes to_a = r + a, to_b = r + b, a2 = to_a * to_a, b2 = to_b * to_b;
         const Lanes both = to_a * to_b, both2 = both * both;

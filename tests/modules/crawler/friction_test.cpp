@@ -131,6 +131,22 @@ TEST_CASE("what slides ends as friction in its last direction has it", "[unit]")
     CHECK(slid > 5000);
 }
 
+TEST_CASE("what is expected of the end speed changes nothing", "[unit]") {
+    const Axes axes;
+    for_cases(2000, [&](const Friction& f, double pressing, double along, double across) {
+        const Vec3 v = axes.vector(along, across);
+        const Vec3 end = slide(f, pressing, v, axes.spine, axes.side);
+        for (const double expected :
+             {1e-300, 1e-3 * norm(end), 0.99 * norm(end), norm(end), 2 * norm(v), 1e300, HUGE_VAL}) {
+            const Vec3 other = slide(f, pressing, v, axes.spine, axes.side, expected);
+            CHECK(distance(other, end) <= 2e-9 * norm(v));
+        }
+    });
+    // Next to nothing slides on where there is no friction, whatever it did before.
+    const Vec3 tiny = 1e-300 * axes.spine;
+    CHECK(distance(slide(coulomb(0, 0, 0), 1, tiny, axes.spine, axes.side, 1e3), tiny) < 1e-312);
+}
+
 TEST_CASE("friction takes energy and never turns a motion round", "[unit]") {
     const Axes axes;
     for_cases(20000, [&](const Friction& f, double pressing, double along, double across) {
