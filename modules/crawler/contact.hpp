@@ -12,6 +12,7 @@
 /// the ground together, or are not.
 namespace orbweaver::crawler {
 
+using mass_spring::sum;
 using mass_spring::Vec3Lanes;
 
 /// Where four points are in the planes of a vector (see Packing): at a and after it, at b and after it.
@@ -42,7 +43,6 @@ private:
     using Pair = double __attribute__((vector_size(16)));
 };
 
-ORBWEAVER_INLINE double sum(const Lanes& of) noexcept { return (of[0] + of[1]) + (of[2] + of[3]); }
 ORBWEAVER_INLINE Vec3Lanes either(const LaneBits& first, const Vec3Lanes& a, const Vec3Lanes& b) noexcept {
     return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
 }
@@ -95,12 +95,13 @@ struct Landing {
     Vec3Lanes spine;       ///< along their body, of any length
     Lanes holds;           ///< m/s, what it takes to tear them off
     double allowance = 0;  ///< m, deep in the ground within which they may stay
-    double lag = 0;        ///< steps by which v are older than x: 0 or a half
+    double lag = 0;        ///< of the method (see MethodInfo), where its forces act where steps begin; else 0
 };
 
 /// Per kg, and what goes with it; of each lane.
 struct LandingBooks {
     Lanes friction{}, impact{}, slip{}, contacts{};
+    Lanes lagging{};  ///< of the work in friction and impact, what a method's lag put there
 
     /// The last two lanes only where they are not the first two again.
     ORBWEAVER_INLINE void add(const LandingBooks& more, bool all) noexcept {
@@ -109,21 +110,22 @@ struct LandingBooks {
         impact += counts * more.impact;
         slip += counts * more.slip;
         contacts += counts * more.contacts;
+        lagging += counts * more.lagging;
     }
 };
 
 /// Those that `are_on` the ground are met by it; others were left by it during the step, if it pressed them.
 ///
-/// An impulse does its work on the mean of the velocities before and after it. Where velocities are half a step
-/// older than positions, what springs and weight give a point in a step belongs to the time between two ways,
-/// and so does what the ground gives it there: half of what they give counts with what turned it after the way
-/// before, and half of it against what is part of the way that follows, the reaction and what lifts it.
+/// What presses during a step works on its way, and an impulse on the mean of the velocities before and after
+/// it. Where forces act where a step begins, they work half on the way before and half on the way after: the
+/// reaction works on the mean of its velocities then, what turns a point between the ways has half of what all
+/// else gives it on its side, and what lifts it, which is part of the way before, half of what that gave.
 ORBWEAVER_INLINE void meet_ground(const Touches& touch, const LaneBits& are_on, const Friction& friction,
                                   double h, Landing& points, LandingBooks& books) noexcept {
     const Vec3Lanes n = touch.normal, moved = points.x - points.start;
     const Vec3Lanes spine = laid_across(points.spine, n), side = crossed(n, spine);
     const Vec3Lanes given = points.v - points.start_v - points.pressed;  // by all but the ground
-    const Lanes into = dot(points.v, n), pressed = dot(points.pressed, n), on_way = dot(moved, n);
+    const Lanes into = dot(points.v, n), pressed = dot(points.pressed, n);
     const Lanes given_up = dot(given, n), turned_up = dot(points.turned, n);
     const Vec3Lanes along = points.v - n * into, held = points.pressed - n * pressed;
     // What is within the reach of its feet alone is held, but not pushed.
@@ -141,15 +143,17 @@ ORBWEAVER_INLINE void meet_ground(const Touches& touch, const LaneBits& are_on, 
     const Lanes share = pressing > Lanes{} ? -given_up / pressing : in_all(1);
     const Lanes lasting = larger_of(Lanes{}, share < 1 ? share : in_all(1));
     const double lag = points.lag;
-    const Lanes held_work = dot(held, moved) * (1 / h) +
-                            lag * (dot(given, points.turned - n * turned_up) - dot(held, given + held));
-    const Lanes pressed_work =
-        pressed * on_way * (1 / h) + lag * (given_up * turned_up - pressed * (given_up + pressed));
+    const Vec3Lanes speed = moved * in_all(1 / h);                      // of the way
+    const Vec3Lanes later = points.start_v + points.v - speed - speed;  // twice what the mean velocity has more
+    const Lanes held_lag = lag * (dot(given, points.turned - n * turned_up) + dot(held, later));
+    const Lanes pressed_lag =
+        lag * (given_up * (turned_up + (are_on ? lift : Lanes{})) + pressed * dot(later, n));
     const Lanes slide_work = 0.5 * (dot(slides, slides) - dot(along, along));
-    const Lanes landing_work = 0.5 * (left * left - into * into) - (1 - lag) * given_up * lift;
-    const Vec3Lanes slip = moved - n * on_way;
-    books.friction -= held_work + (are_on ? slide_work : Lanes{});
-    books.impact -= pressed_work + (are_on ? landing_work : Lanes{});
+    const Lanes landing_work = 0.5 * (left * left - into * into) - given_up * lift;
+    const Vec3Lanes slip = moved - n * dot(moved, n);
+    books.friction -= dot(held, speed) + held_lag + (are_on ? slide_work : Lanes{});
+    books.impact -= pressed * dot(speed, n) + pressed_lag + (are_on ? landing_work : Lanes{});
+    books.lagging += held_lag + pressed_lag;
     books.slip += are_on ? mass_spring::sqrt(dot(slip, slip)) : Lanes{};
     books.contacts += are_on ? in_all(1) : Lanes{};
     points.x = either(are_on, points.x + n * lifted, points.x);

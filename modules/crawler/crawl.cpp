@@ -46,11 +46,12 @@ Books& Books::operator+=(const Books& o) noexcept {
     impact += o.impact;
     slip += o.slip;
     contact += o.contact;
+    lagging += o.lagging;
     return *this;
 }
 
 Crawl::Crawl(mass_spring::SpringSystem& system, const Lattice& lattice, const Build& build, const Waves& waves,
-             const Friction& friction, Ground ground, std::span<Vec3> reaction, double lag, Workers* workers)
+             const Friction& friction, Ground ground, const StepTrace& trace, double lag, Workers* workers)
     : system_(&system),
       lattice_(lattice),
       build_(build),
@@ -59,8 +60,9 @@ Crawl::Crawl(mass_spring::SpringSystem& system, const Lattice& lattice, const Bu
       ground_(std::move(ground)),
       workers_(workers),
       lag_(lag),
-      reaction_(reaction),
-      start_reaction_(reaction.size()),
+      trace_{trace.reaction, trace.turned, trace.x, trace.v},
+      start_x_(system.length()),
+      start_v_(system.length()),
       turned_(system.length()),
       drives_(lattice.bodies),
       bodies_(lattice.bodies, {Muscles(build),
@@ -118,7 +120,7 @@ void Crawl::begin_frame(std::span<const Drive> drives, std::span<const Vec3> x, 
     std::copy(drives.begin(), drives.end(), drives_.begin());
     stretches_ = count_stretches(waves_.form(), drives);
     seconds_ = seconds;
-    std::copy(reaction_.begin(), reaction_.end(), start_reaction_.begin());
+    for (std::size_t i = 0; i < trace_.size(); ++i) start_trace_[i].assign(trace_[i].begin(), trace_[i].end());
     if (auto* surface = std::get_if<SurfaceGround>(&ground_)) surface->look(x, v, seconds);
 }
 
@@ -129,21 +131,28 @@ void Crawl::rewind() noexcept {
         body.frame = {};
         std::fill(body.met.begin(), body.met.end(), 1);
     }
-    system_->packing().pack(start_reaction_, system_->hook_forces());
-    std::fill(turned_.begin(), turned_.end(), 0.0);
+    const auto trace = packed_trace();
+    for (std::size_t i = 0; i < trace.size(); ++i) system_->packing().pack(start_trace_[i], trace[i]);
     begin_stretch(0);
-    system_->begin_rest_path();
+    system_->begin_rest_path(start_x_, start_v_);
+}
+
+std::array<std::span<double>, 4> Crawl::packed_trace() noexcept {
+    return {system_->hook_forces(), turned_, start_x_, start_v_};
 }
 
 void Crawl::begin_stretch(std::size_t number) noexcept {
     stretch_ = number;
     for_each_body([&](std::uint32_t body) {
-        for (std::size_t end = 0; end < 2; ++end)
-            find_lengths(body, end, static_cast<double>(number + end) / static_cast<double>(stretches_));
+        const auto share = [&](std::size_t at) {
+            return static_cast<double>(at) / static_cast<double>(stretches_);
+        };
+        find_lengths(body, mass_spring::PathEnd::begin, share(number));
+        find_lengths(body, mass_spring::PathEnd::end, share(number + 1));
     });
 }
 
-void Crawl::find_lengths(std::uint32_t number, std::size_t end, double share) noexcept {
+void Crawl::find_lengths(std::uint32_t number, mass_spring::PathEnd end, double share) noexcept {
     const Drive& drive = drives_[number];
     Body& body = bodies_[number];
     waves_.flex(std::lerp(drive.cycles[0], drive.cycles[1], share),
@@ -164,7 +173,7 @@ void Crawl::before_step(std::span<const double> x, std::span<const double> v, do
     const double at = std::min(1.0, (elapsed_ + h) / seconds_) * static_cast<double>(stretches_);
     const auto stretch = std::min(static_cast<std::size_t>(at), stretches_ - 1);
     if (stretch != stretch_) begin_stretch(stretch);
-    const mass_spring::DriveWork done = system_->drive(x, v, at - static_cast<double>(stretch), h, lag_);
+    const mass_spring::DriveWork done = system_->drive(x, v, at - static_cast<double>(stretch), lag_);
     frame_.muscles += done.work;
     frame_.damping += done.damping;
 }
@@ -245,11 +254,18 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t number, std::span<double
     body.frame.impact += mass * sum(books.impact);
     body.frame.slip += sum(books.slip);
     body.frame.contact += h * sum(books.contacts);
+    body.frame.lagging += mass * sum(books.lagging);
 }
 
 double Crawl::work() const noexcept {
     double sum = frame_.muscles;
-    for (const Body& body : bodies_) sum -= body.frame.friction + body.frame.impact;
+    for (const Body& body : bodies_) sum -= body.frame.friction + body.frame.impact + body.frame.lagging;
+    return sum;
+}
+
+double Crawl::other_loss() const noexcept {
+    double sum = frame_.damping;
+    for (const Body& body : bodies_) sum -= body.frame.lagging;
     return sum;
 }
 
@@ -262,12 +278,13 @@ double Crawl::turnover() const noexcept {
 void Crawl::keep() noexcept {
     kept_ += frame_;
     for (const Body& body : bodies_) kept_ += body.frame;
-    system_->packing().unpack(system_->hook_forces(), reaction_);
+    const auto trace = packed_trace();
+    for (std::size_t i = 0; i < trace.size(); ++i) system_->packing().unpack(trace[i], trace_[i]);
 }
 
 std::size_t Crawl::memory_bytes() const noexcept {
     std::size_t bytes =
-        drives_.capacity() * sizeof(Drive) + start_reaction_.capacity() * sizeof(Vec3) +
+        drives_.capacity() * sizeof(Drive) + start_trace_.size() * lattice_.points() * sizeof(Vec3) +
         (start_x_.capacity() + start_v_.capacity() + turned_.capacity() + laid_.capacity()) * sizeof(double);
     for (const Body& body : bodies_)
         bytes += sizeof(Body) + body.flexes.capacity() * sizeof(Flex) +

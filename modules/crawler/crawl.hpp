@@ -32,8 +32,17 @@ struct Books {
     double impact = 0;    ///< that the ground took of motion into it, less what it gave by lifting points
     double slip = 0;      ///< m, that points slid on the ground, all together
     double contact = 0;   ///< s, that points were on the ground, all together
+    double lagging = 0;  ///< J, of the work in friction and impact, what a method's lag put there (see Landing)
 
     Books& operator+=(const Books& o) noexcept;
+};
+
+/// What a step leaves to the next one, each N for a point: it goes on from frame to frame, as the owner's
+/// state.
+struct StepTrace {
+    std::span<Vec3> reaction;  ///< N, by which the ground presses
+    std::span<Vec3> turned;    ///< m/s, by which it turned points when the step ended, see Landing
+    std::span<Vec3> x, v;      ///< m, m/s, where the step began
 };
 
 /// Bodies that crawl: between the steps of a method, muscles give springs their lengths and the ground meets
@@ -41,13 +50,13 @@ struct Books {
 /// in between they change evenly. A point that gets below the ground is put onto it, loses its velocity into
 /// it, and slides as friction has it by the impulse that this took (Miller 1988; Moreau 1988). While a step is
 /// taken, the ground presses as that impulse did over the step before, so that what lies on it lies still and
-/// does not fall and jump: the impulse after the step is what that fell short of. The reactions are state.
+/// does not fall and jump: the impulse after the step is what that fell short of.
 class Crawl final : public mass_spring::StepHooks {
 public:
     /// `system` is of the lattice's network as `build` makes it, has these hooks from then on, and outlives
-    /// them. `reaction` (N, one per point) is the owner's state; `lag` is that of the method (see MethodInfo).
+    /// them. `lag` is that of the method (see MethodInfo).
     Crawl(mass_spring::SpringSystem& system, const Lattice& lattice, const Build& build, const Waves& waves,
-          const Friction& friction, Ground ground, std::span<Vec3> reaction, double lag, Workers* workers);
+          const Friction& friction, Ground ground, const StepTrace& trace, double lag, Workers* workers);
 
     /// Puts points of x (m) that are below the ground onto it.
     void lift_out(std::span<Vec3> x);
@@ -67,7 +76,7 @@ public:
     void after_step(std::span<double> x, std::span<double> v, double h) noexcept override;
     double work() const noexcept override;
     double turnover() const noexcept override;
-    double damping_loss() const noexcept override { return frame_.damping; }
+    double other_loss() const noexcept override;
     void keep() noexcept override;
 
 private:
@@ -86,8 +95,9 @@ private:
     void for_each_body(const F& f) noexcept;
     template <class F>
     void with_ground(const F& f) noexcept;
-    void find_lengths(std::uint32_t body, std::size_t end, double share) noexcept;
+    void find_lengths(std::uint32_t body, mass_spring::PathEnd end, double share) noexcept;
     void begin_stretch(std::size_t number) noexcept;
+    std::array<std::span<double>, 4> packed_trace() noexcept;
     double holds(std::size_t ring, const Body& body) const noexcept;
     template <class AnyGround>
     void meet(const AnyGround& ground, std::uint32_t number, std::span<double> x, std::span<double> v,
@@ -100,12 +110,12 @@ private:
     Friction friction_;
     Ground ground_;
     Workers* workers_;
-    double lag_;                        // steps
-    std::span<Vec3> reaction_;          // N, state
-    std::vector<Vec3> start_reaction_;  // N, of the frame
-    std::vector<double> start_x_;       // m, packed, of the step
-    std::vector<double> start_v_;       // m/s, likewise
-    std::vector<double> turned_;        // m/s, likewise: see Landing
+    double lag_;                                    // steps
+    std::array<std::span<Vec3>, 4> trace_;          // state
+    std::array<std::vector<Vec3>, 4> start_trace_;  // of the frame
+    std::vector<double> start_x_;                   // m, packed, of the step
+    std::vector<double> start_v_;                   // m/s, likewise
+    std::vector<double> turned_;                    // m/s, likewise: see Landing
     std::vector<Drive> drives_;
     std::vector<double> laid_;   // m, springs' lengths as bodies were laid down; empty: as muscles ask for
     double seconds_ = 1;         // of the frame

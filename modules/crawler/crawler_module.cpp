@@ -110,7 +110,7 @@ public:
     bool wanted() const noexcept override { return debug_; }
     std::span<const SketchLine> lines() override {
         lines_.clear();
-        add_sketch(lattice_, crawler_.build, norm(gravity_), position_, reaction_, lines_);
+        add_sketch(lattice_, crawler_.build, norm(gravity_), position_, trace_.reaction, lines_);
         return lines_;
     }
 
@@ -130,7 +130,10 @@ private:
         const std::size_t count = lattice_.points();
         position_ = state.vectors("position", count, {"m", "masses: four a ring, rings from tail to head"});
         velocity_ = state.vectors("velocity", count, {"m/s", "of the masses"});
-        reaction_ = state.vectors("reaction", count, {"N", "by which the ground presses on each mass", false});
+        trace_ = {state.vectors("reaction", count, {"N", "by which the ground presses on each mass", false}),
+                  state.vectors("turned", count, {"m/s", "by which the ground turned each mass last", false}),
+                  state.vectors("step_position", count, {"m", "of the masses as the last step began", false}),
+                  state.vectors("step_velocity", count, {"m/s", "likewise", false})};
         substep_ = state.scalars("substep", mass_spring::kSimulationMemory,
                                  {"s", "step in use, and the mark of its method", false});
         numbers_ = state.scalars("pilot", lattice_.bodies * kNumbers<Pilot> + kNumbers<Account>,
@@ -144,8 +147,7 @@ private:
         system_->use_linear_solver(crawler_.linear_solver);
         crawl_.emplace(*system_, lattice_, crawler_.build,
                        Waves(*crawler_.gait, crawler_.form, crawler_.waves, lattice_.segments),
-                       crawler_.friction, std::move(ground), reaction_, crawler_.settings.method->lag,
-                       workers_);
+                       crawler_.friction, std::move(ground), trace_, crawler_.settings.method->lag, workers_);
         drives_.resize(lattice_.bodies);
         pilots_.resize(lattice_.bodies);
         centers_.resize(lattice_.bodies);
@@ -153,6 +155,7 @@ private:
         rest_volume_ = volume(lattice_, body_points(0));
         crawl_->lift_out(position_);
         crawl_->lay_down(position_);
+        std::copy(position_.begin(), position_.end(), trace_.x.begin());
         for (Drive& drive : drives_) drive = hold(crawler_, {}, 0);
         crawl_->begin_frame(drives_, position_, velocity_, frame_step_);
         crawl_->rewind();
@@ -172,9 +175,11 @@ private:
                                                                 position_, velocity_, substep_);
     }
 
-    /// Well within what the springs alone allow: near that limit, points that touch the ground shake on it.
+    /// Well within what the springs alone allow. What sticks to the ground is held by the reaction of the step
+    /// before, d' = -(h omega)^2 d of its moves d: it is still where h omega < 1, omega of the point alone, whose
+    /// neighbors stand still, which is about 0.7 of the fastest vibration's half.
     void choose_step() {
-        constexpr double kShare = 0.75;
+        constexpr double kShare = 0.7;
         // All bodies are alike.
         const Lattice one{1, lattice_.segments};
         const mass_spring::Network network = make_network(one, crawler_.build);
@@ -332,7 +337,7 @@ private:
     mass_spring::Network network_;
     double frame_step_ = 0;                          // s
     std::span<Vec3> position_, velocity_;            // state
-    std::span<Vec3> reaction_;                       // state, N
+    StepTrace trace_;                                // state, N
     std::span<double> substep_, numbers_;            // state
     std::vector<Pilot> pilots_;                      // as numbers_ has them
     Account account_;                                // likewise

@@ -56,8 +56,10 @@ ORBWEAVER_INLINE Lanes end_speed(const Sliding& v, const Lanes& a, const Lanes& 
         const Lanes both = to_a * to_b, both2 = both * both;
         const Lanes excess = va * b2 + vb * a2 - both2;  // t, times both2
         const Lanes slope = va * b2 * to_b + vb * a2 * to_a;
-        change = excess * (both2 + 11.0 / 12 * excess) * both / ((2 * both2 + 1.0 / 3 * excess) * slope);
-        r = larger_of(least, r + change);
+        const Lanes next = larger_of(
+            least, r + excess * (both2 + 11.0 / 12 * excess) * both / ((2 * both2 + 1.0 / 3 * excess) * slope));
+        change = next - r;
+        r = next;
     };
     for (int i = 0; i < kAsARule; ++i) climb();
     for (int i = kAsARule; i < kMost && is_any(~rests & (absolute(change) > kEnough * r)); ++i) climb();

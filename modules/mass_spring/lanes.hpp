@@ -13,6 +13,8 @@ ORBWEAVER_INLINE Lanes sqrt(const Lanes& s) noexcept {
     return Lanes{std::sqrt(s[0]), std::sqrt(s[1]), std::sqrt(s[2]), std::sqrt(s[3])};
 }
 
+ORBWEAVER_INLINE double sum(const Lanes& of) noexcept { return (of[0] + of[1]) + (of[2] + of[3]); }
+
 /// A vector in each lane.
 struct Vec3Lanes {
     Lanes x, y, z;

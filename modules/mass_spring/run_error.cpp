@@ -134,11 +134,11 @@ void RunError::keep_books(const FrameRun& frame, double omega) {
     lost_.add(whole, whole.energy > 0 ? loss_of(frame, 2 * frame.steps, omega) : Loss{});
 }
 
-std::optional<double> RunError::damping_loss(double h, std::int64_t steps) {
+std::optional<double> RunError::known_loss(double h, std::int64_t steps) {
     StepBudget steps_left = budget();
     if (const StepHooks* hooks = system_->hooks()) {
         if (!integrator_->advance(trial_x_, trial_v_, h, steps, steps_left)) return {};
-        return hooks->damping_loss();
+        return hooks->other_loss();
     }
     double before = dissipated_power(*system_, trial_x_, trial_v_), lost = 0;
     for (std::int64_t i = 0; i < steps; ++i) {
@@ -154,7 +154,7 @@ Loss RunError::loss_of(const FrameRun& frame, std::int64_t steps, double omega) 
     const double h = frame_step_ / static_cast<double>(steps);
     start_trial(frame);
     const Phase start = phase_of(*system_, trial_x_, trial_v_);
-    const std::optional<double> explained = damping_loss(h, steps);
+    const std::optional<double> explained = known_loss(h, steps);
     if (!explained) return {};
     const EnergyBalance balance =
         balance_energy(*system_, frame.start_energy, frame.start_x, trial_x_, trial_v_);

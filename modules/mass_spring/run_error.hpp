@@ -58,8 +58,9 @@ private:
     /// `alone`: not as a sample of others.
     void redo(const FrameRun& frame, bool alone);
     void keep_books(const FrameRun& frame, double omega);
-    /// J, in so many steps of h seconds from where a trial starts; nothing where it cannot be run.
-    std::optional<double> damping_loss(double h, std::int64_t steps);
+    /// J, that damping took, and whatever else is known, in so many steps of h seconds from where a trial
+    /// starts; nothing where it cannot be run.
+    std::optional<double> known_loss(double h, std::int64_t steps);
     /// In so many steps; nothing where that is rounding, or the frame cannot be redone.
     Loss loss_of(const FrameRun& frame, std::int64_t steps, double omega);
     bool judge(std::int64_t steps);

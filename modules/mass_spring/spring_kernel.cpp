@@ -64,48 +64,71 @@ ORBWEAVER_INLINE void any_creep(const SpringTable& table, const double* x, doubl
     }
 }
 
-ORBWEAVER_INLINE double sum(const Lanes& of) noexcept { return (of[0] + of[1]) + (of[2] + of[3]); }
+/// Of the springs of a quad.
+struct Extent {
+    Vec3Lanes l;    // m, from b to a
+    Lanes length;   // m
+    Lanes inverse;  // 1/m
+    Lanes along;    // m^2/s, the velocity of a seen from b, along l
+    Lanes rate;     // m/s, by which the length grows
+};
+
+ORBWEAVER_INLINE Extent extent_of(const SpringTable::Quad& quad, const KernelInput& input,
+                                  std::size_t plane) noexcept {
+    Extent of;
+    of.l = load(input.x + quad.a, plane) - load(input.x + quad.b, plane);
+    const Vec3Lanes dl = load(input.v + quad.a, plane) - load(input.v + quad.b, plane);
+    of.length = sqrt(dot(of.l, of.l));
+    of.inverse = 1 / (of.length + kNoLength);
+    of.along = dot(of.l, dl);
+    of.rate = of.along * of.inverse;
+    return of;
+}
+
+ORBWEAVER_INLINE void any_remember(const SpringTable& table, DrivenQuad* driven, const KernelInput& input,
+                                   std::size_t begin, std::size_t end) noexcept {
+    for (std::size_t i = begin; i < end; ++i) {
+        const Extent now = extent_of(table.quads[i], input, table.packing.plane());
+        store(driven[i].length.data(), now.length);
+        store(driven[i].rate.data(), now.rate);
+    }
+}
 
 /// See pulls() for the arithmetic of the forces, which is the same.
 template <bool damped>
-ORBWEAVER_INLINE DriveWork drive(SpringTable& table, DrivenQuad* driven, const DriveStep& step,
+ORBWEAVER_INLINE DriveWork drive(SpringTable& table, DrivenQuad* driven, double share, double lag,
                                  const KernelInput& input, std::size_t begin, std::size_t end,
                                  double* pull) noexcept {
     const std::size_t plane = table.packing.plane();
-    Lanes doubled_work{}, doubled_damping{};
+    Lanes doubled_work{}, doubled_loss{};
     for (std::size_t i = begin; i < end; ++i) {
         SpringTable::Quad& quad = table.quads[i];
         DrivenQuad& path = driven[i];
-        const Vec3Lanes l = load(input.x + quad.a, plane) - load(input.x + quad.b, plane);
-        const Vec3Lanes dl = load(input.v + quad.a, plane) - load(input.v + quad.b, plane);
-        const Lanes length = sqrt(dot(l, l));
-        const Lanes inverse = 1 / (length + kNoLength);
-        const Lanes along = dot(l, dl), rate = along * inverse;
-        const Lanes grown = step.is_new ? step.h * rate : length - load(path.length.data());
-        const Lanes last_rate = step.is_new ? rate : load(path.rate.data());
+        const Extent now = extent_of(quad, input, plane);
+        const Lanes grown = now.length - load(path.length.data()), last_rate = load(path.rate.data());
         const Lanes stiffness = load(quad.stiffness.data()), before = load(quad.rest_length.data());
         const Lanes from = load(path.begin.data());
-        const Lanes after = from + step.share * (load(path.end.data()) - from);
-        doubled_work += stiffness * (after - before) * (after + before - 2 * (length - step.lag * grown));
-        Lanes force = stiffness * (length - after);
+        const Lanes after = from + share * (load(path.end.data()) - from);
+        doubled_work += stiffness * (after - before) * (after + before - 2 * (now.length - lag * grown));
+        Lanes force = stiffness * (now.length - after);
         if constexpr (damped) {
             const Lanes damping = load(table.damping[i].data());
-            doubled_damping += damping * (last_rate + rate) * grown;
-            force += damping * along * inverse;
+            doubled_loss += damping * (last_rate + now.rate) * grown;
+            force += damping * now.along * now.inverse;
         }
         store(quad.rest_length.data(), after);
-        store(path.length.data(), length);
-        store(path.rate.data(), rate);
-        store(pull + quad.slot, table.slots, l * (force * inverse));
+        store(path.length.data(), now.length);
+        store(path.rate.data(), now.rate);
+        store(pull + quad.slot, table.slots, now.l * (force * now.inverse));
     }
-    return {0.5 * sum(doubled_work), 0.5 * sum(doubled_damping)};
+    return {0.5 * sum(doubled_work), 0.5 * sum(doubled_loss)};
 }
 
-ORBWEAVER_INLINE DriveWork any_drive(SpringTable& table, DrivenQuad* driven, const DriveStep& step,
+ORBWEAVER_INLINE DriveWork any_drive(SpringTable& table, DrivenQuad* driven, double share, double lag,
                                      const KernelInput& input, std::size_t begin, std::size_t end,
                                      double* pull) noexcept {
-    return table.damping.empty() ? drive<false>(table, driven, step, input, begin, end, pull)
-                                 : drive<true>(table, driven, step, input, begin, end, pull);
+    return table.damping.empty() ? drive<false>(table, driven, share, lag, input, begin, end, pull)
+                                 : drive<true>(table, driven, share, lag, input, begin, end, pull);
 }
 
 /// Zero in the lanes whose bit is set.
@@ -183,9 +206,14 @@ void plain_creep(const SpringTable& table, const double* x, double h, std::size_
     any_creep(table, x, h, begin, end, creep);
 }
 
-DriveWork plain_drive(SpringTable& table, DrivenQuad* driven, const DriveStep& step, const KernelInput& input,
-                      std::size_t begin, std::size_t end, double* pull) noexcept {
-    return any_drive(table, driven, step, input, begin, end, pull);
+void plain_remember(const SpringTable& table, DrivenQuad* driven, const KernelInput& input, std::size_t begin,
+                    std::size_t end) noexcept {
+    any_remember(table, driven, input, begin, end);
+}
+
+DriveWork plain_drive(SpringTable& table, DrivenQuad* driven, double share, double lag,
+                      const KernelInput& input, std::size_t begin, std::size_t end, double* pull) noexcept {
+    return any_drive(table, driven, share, lag, input, begin, end, pull);
 }
 
 void wide_pulls(const SpringTable& table, const KernelInput& input, std::size_t begin, std::size_t end,
@@ -208,22 +236,29 @@ void wide_creep(const SpringTable& table, const double* x, double h, std::size_t
     run_wide([&]() ORBWEAVER_ALWAYS_INLINE { any_creep(table, x, h, begin, end, creep); });
 }
 
-DriveWork wide_drive(SpringTable& table, DrivenQuad* driven, const DriveStep& step, const KernelInput& input,
+void wide_remember(const SpringTable& table, DrivenQuad* driven, const KernelInput& input, std::size_t begin,
+                   std::size_t end) noexcept {
+    run_wide([&]() ORBWEAVER_ALWAYS_INLINE { any_remember(table, driven, input, begin, end); });
+}
+
+DriveWork wide_drive(SpringTable& table, DrivenQuad* driven, double share, double lag, const KernelInput& input,
                      std::size_t begin, std::size_t end, double* pull) noexcept {
-    return run_wide(
-        [&]() ORBWEAVER_ALWAYS_INLINE { return any_drive(table, driven, step, input, begin, end, pull); });
+    return run_wide([&]() ORBWEAVER_ALWAYS_INLINE {
+        return any_drive(table, driven, share, lag, input, begin, end, pull);
+    });
 }
 
 }  // namespace
 
 const SpringKernels& plain_kernels() noexcept {
-    static constexpr SpringKernels kernels{plain_pulls, plain_accelerations, plain_kicks, plain_creep,
-                                           plain_drive};
+    static constexpr SpringKernels kernels{plain_pulls, plain_accelerations, plain_kicks,
+                                           plain_creep, plain_remember,      plain_drive};
     return kernels;
 }
 
 const SpringKernels* wide_kernels() noexcept {
-    static constexpr SpringKernels kernels{wide_pulls, wide_accelerations, wide_kicks, wide_creep, wide_drive};
+    static constexpr SpringKernels kernels{wide_pulls, wide_accelerations, wide_kicks,
+                                           wide_creep, wide_remember,      wide_drive};
     return has_avx2() ? &kernels : nullptr;
 }
 

@@ -34,14 +34,6 @@ struct DrivenQuad {
     std::array<double, Packing::kLanes> rate{};    ///< m/s, by which it grew then
 };
 
-/// A step that begins by driving springs.
-struct DriveStep {
-    double share = 0;     ///< of the way from begin to end, where rest lengths then are
-    double h = 0;         ///< s, of the step before
-    double lag = 0;       ///< of the method (see MethodInfo)
-    bool is_new = false;  ///< no step before is remembered: lengths grew as they do now
-};
-
 /// J done on springs by making their rest lengths others, and J that damping took since the last step began.
 struct DriveWork {
     double work = 0;
@@ -67,10 +59,14 @@ struct SpringKernels {
     /// The dashpots of quads [begin, end) creep for h seconds at the lengths of x.
     void (*creep)(const SpringTable& table, const double* x, double h, std::size_t begin, std::size_t end,
                   double* creep) noexcept;
-    /// The rest lengths of quads [begin, end) become those of the step; work is told at lengths that are older by
-    /// its lag. Then the pulls, as above. Of springs without laws.
-    DriveWork (*drive)(SpringTable& table, DrivenQuad* driven, const DriveStep& step, const KernelInput& input,
-                       std::size_t begin, std::size_t end, double* pull) noexcept;
+    /// The lengths and rates of quads [begin, end) become those at x and v of the input.
+    void (*remember)(const SpringTable& table, DrivenQuad* driven, const KernelInput& input, std::size_t begin,
+                     std::size_t end) noexcept;
+    /// The rest lengths of quads [begin, end) become those at `share` of their path; work is told at lengths
+    /// that are older by `lag` steps (see MethodInfo), damping of the way from what is remembered. Then
+    /// remember(), and the pulls, as above. Of springs without laws.
+    DriveWork (*drive)(SpringTable& table, DrivenQuad* driven, double share, double lag,
+                       const KernelInput& input, std::size_t begin, std::size_t end, double* pull) noexcept;
 };
 
 /// For any machine.

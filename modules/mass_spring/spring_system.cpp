@@ -19,7 +19,7 @@ SpringSystem::SpringSystem(const Network& network, Workers* workers)
       table_(network),
       kernels_(&best_kernels()),
       pull_(3 * table_.slots),
-      driven_(network.driven ? table_.quads.size() : 0),
+      driven_(still_path()),
       drives_(network.driven ? table_.quads.size() / kGrain + 1 : 0) {}
 
 void SpringSystem::network_changed() {
@@ -28,7 +28,7 @@ void SpringSystem::network_changed() {
     table_ = SpringTable(*network_);
     if (!external.empty()) packing().pack(external, external_);
     pull_.assign(3 * table_.slots, 0.0);
-    driven_.assign(network_->driven ? table_.quads.size() : 0, {});
+    driven_ = still_path();
     has_pulls_ = false;
     drives_.resize(network_->driven ? table_.quads.size() / kGrain + 1 : 0);
     creep_.clear();
@@ -69,13 +69,28 @@ void SpringSystem::creep(std::span<const double> x, double h) noexcept {
     kernels_->creep(table_, x.data(), h, 0, table_.quads.size(), creep_.data());
 }
 
-DriveWork SpringSystem::drive(std::span<const double> x, std::span<const double> v, double share, double h,
+// Springs of a driven network keep the lengths that it gives them, until they are told others.
+std::vector<DrivenQuad> SpringSystem::still_path() const {
+    std::vector<DrivenQuad> path(network_->driven ? table_.quads.size() : 0);
+    for (std::size_t i = 0; i < path.size(); ++i) path[i].begin = path[i].end = table_.quads[i].rest_length;
+    return path;
+}
+
+void SpringSystem::begin_rest_path(std::span<const double> x, std::span<const double> v) noexcept {
+    const KernelInput input = kernel_input(x.data(), v.data());
+    share_quads([&](std::size_t begin, std::size_t end) {
+        kernels_->remember(table_, driven_.data(), input, begin, end);
+        for (std::size_t i = begin; i < end; ++i) table_.quads[i].rest_length = driven_[i].begin;
+    });
+    has_pulls_ = false;
+}
+
+DriveWork SpringSystem::drive(std::span<const double> x, std::span<const double> v, double share,
                               double lag) noexcept {
     const KernelInput input = kernel_input(x.data(), v.data());
-    const DriveStep step{share, h, lag, !remembers_step_};
     auto range = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            drives_[i] = kernels_->drive(table_, driven_.data(), step, input, i * kGrain,
+            drives_[i] = kernels_->drive(table_, driven_.data(), share, lag, input, i * kGrain,
                                          std::min((i + 1) * kGrain, table_.quads.size()), pull_.data());
     };
     if (workers_ == nullptr)
@@ -83,18 +98,12 @@ DriveWork SpringSystem::drive(std::span<const double> x, std::span<const double>
     else
         workers_->for_each_range(drives_.size(), 1, range);
     has_pulls_ = true;
-    remembers_step_ = true;
     DriveWork all;
     for (const DriveWork& each : drives_) {
         all.work += each.work;
         all.damping += each.damping;
     }
     return all;
-}
-
-void SpringSystem::begin_rest_path() noexcept {
-    for (std::size_t i = 0; i < driven_.size(); ++i) table_.quads[i].rest_length = driven_[i].begin;
-    remembers_step_ = false;
 }
 
 Tension SpringSystem::tension(std::size_t spring, double length) const noexcept {
@@ -135,14 +144,17 @@ KernelInput SpringSystem::kernel_input(const double* x, const double* v) const n
             drag_};
 }
 
-void SpringSystem::find_pulls(const KernelInput& input) noexcept {
-    auto pulls = [&](std::size_t begin, std::size_t end) {
-        kernels_->pulls(table_, input, begin, end, pull_.data());
-    };
+template <class Pass>
+void SpringSystem::share_quads(Pass pass) noexcept {
     if (workers_ == nullptr)
-        pulls(0, table_.quads.size());
+        pass(0, table_.quads.size());
     else
-        workers_->for_each_range(table_.quads.size(), kGrain, pulls);
+        workers_->for_each_range(table_.quads.size(), kGrain, pass);
+}
+
+void SpringSystem::find_pulls(const KernelInput& input) noexcept {
+    share_quads(
+        [&](std::size_t begin, std::size_t end) { kernels_->pulls(table_, input, begin, end, pull_.data()); });
 }
 
 template <class SecondPass>
@@ -157,8 +169,7 @@ void SpringSystem::use_pulls(SecondPass second_pass) noexcept {
 
 void SpringSystem::accelerations(std::span<const double> x, std::span<const double> v,
                                  std::span<double> a) noexcept {
-    find_pulls(kernel_input(x.data(), v.data()));
-    has_pulls_ = true;
+    has_pulls_ = false;
     accelerations_at_start(x, v, a);
 }
 

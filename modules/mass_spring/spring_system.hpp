@@ -64,6 +64,8 @@ protected:
     ~DynamicSystem() = default;
 };
 
+enum class PathEnd : std::uint8_t { begin, end };
+
 /// What acts on the particles from outside the springs.
 struct Surroundings {
     Vec3 gravity;                    ///< m/s^2
@@ -104,19 +106,18 @@ public:
     /// told instead of this.
     void network_changed();
 
-    /// Of a driven network, whose rest lengths go evenly from those of a begin (0) to those of an end (1): m.
-    void set_rest_path(std::size_t spring, std::size_t end, double length) noexcept {
+    /// m, of a spring of a driven network: rest lengths go evenly from those of a begin to those of an end.
+    void set_rest_path(std::size_t spring, PathEnd end, double length) noexcept {
         const std::size_t at = table_.place[spring];
         DrivenQuad& quad = driven_[at / Packing::kLanes];
-        (end == 0 ? quad.begin : quad.end)[at % Packing::kLanes] = length;
+        (end == PathEnd::begin ? quad.begin : quad.end)[at % Packing::kLanes] = length;
     }
-    /// Springs have those of the path's begin, no work is told, and no step before is remembered.
-    void begin_rest_path() noexcept;
-    /// Springs have those at `share` of the path from now on, a step of h seconds beginning at packed x and v.
-    /// Work is told of positions older than x by `lag` steps (see MethodInfo): it is there that a method keeps
-    /// energy. Damping is that of the way since the last step began.
-    DriveWork drive(std::span<const double> x, std::span<const double> v, double share, double h,
-                    double lag) noexcept;
+    /// Springs have those of the path's begin, and no work is told. The step before began at packed x and v.
+    void begin_rest_path(std::span<const double> x, std::span<const double> v) noexcept;
+    /// Springs have those at `share` of the path from now on, a step beginning at packed x and v. Work is told
+    /// of positions older than x by `lag` steps (see MethodInfo): it is there that a method keeps energy.
+    /// Damping is that of the way since the step before began.
+    DriveWork drive(std::span<const double> x, std::span<const double> v, double share, double lag) noexcept;
     double rest_length(std::size_t spring) const noexcept {
         if (!network_->driven) return network_->springs[spring].rest_length;
         const std::size_t at = table_.place[spring];
@@ -179,6 +180,9 @@ public:
 
 private:
     KernelInput kernel_input(const double* x, const double* v) const noexcept;
+    std::vector<DrivenQuad> still_path() const;
+    template <class Pass>
+    void share_quads(Pass pass) noexcept;
     void find_pulls(const KernelInput& input) noexcept;
     /// After find_pulls(): `second_pass(begin, end)` over all blocks.
     template <class SecondPass>
@@ -193,7 +197,6 @@ private:
     std::vector<double> external_;    ///< packed; empty: none
     std::vector<double> pull_;        ///< N, three planes of a slot per spring, scratch
     std::vector<DrivenQuad> driven_;  ///< empty: not driven
-    bool remembers_step_ = false;     ///< driven_ does
     bool has_pulls_ = false;          ///< pull_ is that of where a step begins
     std::vector<DriveWork> drives_;   ///< of ranges of quads, scratch
     std::vector<double> creep_;       ///< m, as table_.place says; empty: arms bear nothing

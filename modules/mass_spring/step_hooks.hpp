@@ -15,11 +15,13 @@ public:
     virtual void before_step(std::span<const double> x, std::span<const double> v, double h) noexcept = 0;
     virtual void after_step(std::span<double> x, std::span<double> v, double h) noexcept = 0;
 
-    /// J since rewind(): done on the system, less what was taken from it; and how much of both together.
+    /// J since rewind(): done on the system, less what was taken from it, each as it changes the energy at
+    /// once; and how much of both together.
     virtual double work() const noexcept = 0;
     virtual double turnover() const noexcept = 0;
-    /// J since rewind(), that springs' damping and drag took.
-    virtual double damping_loss() const noexcept = 0;
+    /// J since rewind(), that went by damping and drag, and by what work() has not because a method's lag puts
+    /// it on the other side of a step.
+    virtual double other_loss() const noexcept = 0;
     /// The frame stays as it was run since rewind().
     virtual void keep() noexcept = 0;
 

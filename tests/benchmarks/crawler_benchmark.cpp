@@ -22,7 +22,7 @@ struct Worms {
     Lattice lattice{100, build.segments};
     mass_spring::Network network = make_network(lattice, build);
     std::vector<Vec3> x = straight_points(lattice, build, poses());
-    std::vector<Vec3> v = std::vector<Vec3>(x.size()), reaction = v;
+    std::vector<Vec3> v = std::vector<Vec3>(x.size()), reaction = v, turned = v, step_x = x, step_v = v;
     mass_spring::SpringSystem system{network, nullptr};
     mass_spring::Integrator integrator{system, *mass_spring::find_method("symplectic_euler")};
 
@@ -62,7 +62,8 @@ void crawling(benchmark::State& state) {
     Worms worms;
     Crawl crawl(worms.system, worms.lattice, worms.build,
                 Waves(*find_gait("rectilinear"), WaveForm::sine, 2, worms.build.segments),
-                {FrictionLaw::coulomb, 0.1, 0.4, 0.3, 0}, Floor{0}, worms.reaction, 0.5, nullptr);
+                {FrictionLaw::coulomb, 0.1, 0.4, 0.3, 0}, Floor{0},
+                {worms.reaction, worms.turned, worms.step_x, worms.step_v}, 0.5, nullptr);
     Drive drive;
     drive.effort = {Effort{0.15, 0, 0, 0}, Effort{0.15, 0, 0, 0}};
     const std::vector<Drive> still(worms.lattice.bodies, drive);

@@ -173,6 +173,8 @@ TEST_CASE("a point that is pulled off leaves with what is left, and the reaction
     // One that has already left keeps its speed; the work that was done on its way is booked.
     rising.x = {2e-6, 3e-5, 0};
     rising.pressed = {-0.002, 0.01, 0};
+    rising.start_v = {0.003, 0.025, 0};
+    rising.v = {0.001, 0.035, 0};
     const Met left = meet(rising, kScales, false);
     CHECK(left.v == rising.v);
     CHECK(left.x == rising.x);
@@ -245,4 +247,43 @@ TEST_CASE("books leave out lanes that are there twice", "[unit]") {
     CHECK(crawler::sum(sum.impact) == 37);
     CHECK(crawler::sum(sum.slip) == 61);
     CHECK(crawler::sum(sum.contacts) == 6);
+}
+
+// Leapfrogged, a linear spring keeps the energy whose kinetic part is v v'/2 of the velocities v and v' on both
+// sides of a position. By how much the ground changes it, at steps near the longest stable one, is what it
+// books.
+TEST_CASE("where forces act where steps begin, books are of the energy that leapfrogging keeps", "[unit]") {
+    const double omega = 0.9 / kStep;
+    const Lanes tug = in_all(-kStep * omega * omega);
+    const Vec3Lanes middle{Lanes{}, Lanes{-1e-4, 1e-4, 2e-5, -3e-5}, Lanes{}};
+    const auto kick = [&](const Vec3Lanes& x) { return (x - middle) * tug; };
+    const auto kept = [&](const Vec3Lanes& x, const Vec3Lanes& v) {
+        const Vec3Lanes way = x - middle;
+        return 0.5 * (dot(v, v + kick(x)) + omega * omega * dot(way, way));
+    };
+    Landing points{};
+    points.x = {Lanes{1e-3, 0, 2e-3, -1e-3}, in_all(1e-4), Lanes{0, 1e-3, 1e-3, 2e-3}};
+    points.v = {Lanes{0.1, -0.2, 0.3, 0}, Lanes{-1, 0.3, -0.2, 0}, Lanes{0, 0.3, 0, 0.1}};
+    points.spine = {in_all(1), Lanes{}, Lanes{}};
+    points.allowance = kAllowance;
+    points.lag = 0.5;
+    const Lanes start = kept(points.x, points.v);
+    LandingBooks books;
+    for (int step = 0; step < 300; ++step) {
+        points.start = points.x, points.start_v = points.v;
+        points.v = points.v + kick(points.x) + points.pressed;
+        points.x = points.x + points.v * in_all(kStep);
+        const Touches touch{-points.x.y, {Lanes{}, in_all(1), Lanes{}}, in_all(1)};
+        const LaneBits was_pressed = dot(points.pressed, points.pressed) > Lanes{};
+        const LaneBits is_near = touch.depth > in_all(-points.allowance);
+        meet_ground(touch, is_near & (was_pressed | (touch.depth > Lanes{})), kScales, kStep, points, books);
+    }
+    const Lanes pending = 0.5 * dot(kick(points.x), points.turned);  // the next step would book it
+    const Lanes left = kept(points.x, points.v) - start + books.friction + books.impact - pending;
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(books.contacts[i] > 40);
+        CHECK(books.friction[i] > 1e-3 * start[i]);
+        CHECK(std::abs(left[i]) < 1e-11 * start[i]);
+        CHECK(std::abs(books.lagging[i]) > 1e-6 * start[i]);
+    }
 }

@@ -55,10 +55,13 @@ public:
           x(straight_points(lattice_, setup.build, poses())),
           v(x.size()),
           reaction(x.size()),
+          turned(x.size()),
+          step_x(x),
+          step_v(x.size()),
           system(network_, setup.workers),
           waves_(*find_gait(setup.gait), setup.form, setup.waves, setup.build.segments),
-          crawl(system, lattice_, setup.build, waves_, setup.friction, setup.ground, reaction,
-                mass_spring::find_method(setup.method)->lag, setup.workers),
+          crawl(system, lattice_, setup.build, waves_, setup.friction, setup.ground,
+                {reaction, turned, step_x, step_v}, mass_spring::find_method(setup.method)->lag, setup.workers),
           drives_(setup.bodies) {
         system.set_surroundings({setup.gravity, setup.drag, {}});
         mass_spring::SimulationSettings settings;
@@ -139,7 +142,7 @@ private:
     mass_spring::Network network_;
 
 public:
-    std::vector<Vec3> x, v, reaction;
+    std::vector<Vec3> x, v, reaction, turned, step_x, step_v;
     std::uint64_t frame = 0;
     int warnings = 0;
     mass_spring::SpringSystem system;
