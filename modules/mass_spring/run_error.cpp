@@ -59,7 +59,7 @@ RunError::Signs RunError::signs_of(const FrameRun& frame) const noexcept {
     double turn = 0;
     for (const Spring& s : system_->network().springs) {
         const Vec3 before = frame.start_x[s.a] - frame.start_x[s.b], after = frame.x[s.a] - frame.x[s.b];
-        const double lengths = norm(before) * norm(after);
+        const double lengths = std::sqrt(dot(before, before) * dot(after, after));
         if (lengths > 0) turn = std::max(turn, 1 - dot(before, after) / lengths);
     }
     return {frame.told_error, turn, std::max(0.0, frame.balance.gain - frame.balance.rounding)};
