@@ -37,7 +37,7 @@ struct Books {
     Books& operator+=(const Books& o) noexcept;
 };
 
-/// What a step leaves to the next one, each N for a point: it goes on from frame to frame, as the owner's
+/// What a step leaves to the next one, one of each for a point: it goes on from frame to frame, as the owner's
 /// state.
 struct StepTrace {
     std::span<Vec3> reaction;  ///< N, by which the ground presses

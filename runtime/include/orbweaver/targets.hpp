@@ -9,7 +9,8 @@
 // Without FMA: a fused multiply-add rounds once where two instructions round twice, and the bits would
 // depend on the machine.
 #define ORBWEAVER_AVX2 __attribute__((target("avx2")))
-// Twice the registers, even where they are filled by half.
+// Twice the registers, even where they are filled by half. It brings FMA with it: compile with
+// -ffp-contract=off.
 #define ORBWEAVER_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl")))
 // For what no result rests on, as the boxes that a ray may meet: fused where it says so itself.
 #define ORBWEAVER_AVX2_FMA __attribute__((target("avx2,fma")))
