@@ -14,7 +14,7 @@ namespace {
 using namespace orbweaver;
 using namespace orbweaver::crawler;
 
-constexpr int kSteps = 30;                                    // a frame, each 0.6 of the longest that is stable
+constexpr int kSteps = 26;                                    // a frame, each 0.7 of the longest that is stable
 constexpr double kFrame = 1.0 / 60, kStep = kFrame / kSteps;  // s
 
 struct Worms {
