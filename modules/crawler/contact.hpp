@@ -70,7 +70,7 @@ ORBWEAVER_INLINE Touches touch_all(const AnyGround& ground, const Vec3Lanes& x, 
 }
 
 ORBWEAVER_INLINE Touches touch_all(const Floor& floor, const Vec3Lanes& x, const Four&) noexcept {
-    return {floor.height - x.y, {Lanes{}, in_all(1), Lanes{}}, in_all(1)};
+    return {floor.depth(x.y), {Lanes{}, in_all(1), Lanes{}}, in_all(1)};
 }
 
 /// In the plane across a normal, of length 1. Where it has nothing there, nothing tells forward from sideways.

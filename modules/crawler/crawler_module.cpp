@@ -176,8 +176,9 @@ private:
     }
 
     /// Well within what the springs alone allow. What sticks to the ground is held by the reaction of the step
-    /// before, d' = -(h omega)^2 d of its moves d: it is still where h omega < 1, omega of the point alone, whose
-    /// neighbors stand still, which is about 0.7 of the fastest vibration's half.
+    /// before, d' = -(h omega)^2 d of its moves d: it is still where h omega < 1, omega of the point alone,
+    /// whose neighbors stand still. In the fastest vibration they move against it, so that it has up to twice
+    /// that stiffness, and it is stable up to h omega = 2: steps may be sqrt(1/2) of those.
     void choose_step() {
         constexpr double kShare = 0.7;
         // All bodies are alike.

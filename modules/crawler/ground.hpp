@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <variant>
 
+#include "orbweaver/targets.hpp"
 #include "orbweaver/vec3.hpp"
 #include "surface_ground.hpp"
 #include "touch.hpp"
@@ -13,7 +14,12 @@ namespace orbweaver::crawler {
 struct Floor {
     double height = 0;  ///< m
 
-    Touch touch(const Vec3& p, std::size_t) const noexcept { return {height - p.y, {0, 1, 0}}; }
+    /// m, below it, of one height or several.
+    template <class Real>
+    ORBWEAVER_INLINE Real depth(const Real& y) const noexcept {
+        return height - y;
+    }
+    Touch touch(const Vec3& p, std::size_t) const noexcept { return {depth(p.y), {0, 1, 0}}; }
 };
 
 /// A floor that ends at a rounded edge, a wall that goes down from there along x = edge, and another floor

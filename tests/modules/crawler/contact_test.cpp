@@ -250,8 +250,8 @@ TEST_CASE("books leave out lanes that are there twice", "[unit]") {
 }
 
 // Leapfrogged, a linear spring keeps the energy whose kinetic part is v v'/2 of the velocities v and v' on both
-// sides of a position. By how much the ground changes it, at steps near the longest stable one, is what it
-// books.
+// sides of a position. By how much the ground changes it, at a step of nearly half of the longest stable one,
+// is what it books.
 TEST_CASE("where forces act where steps begin, books are of the energy that leapfrogging keeps", "[unit]") {
     const double omega = 0.9 / kStep;
     const Lanes tug = in_all(-kStep * omega * omega);
