@@ -101,6 +101,7 @@ struct Landing {
 /// Per kg, and what goes with it; of each lane.
 struct LandingBooks {
     Lanes friction{}, impact{}, slip{}, contacts{};
+    Lanes damping{};  ///< what springs' damping took while a fall ended
     Lanes lagging{};  ///< of the work in friction and impact, what a method's lag put there
 
     /// The last two lanes only where they are not the first two again.
@@ -110,6 +111,7 @@ struct LandingBooks {
         impact += counts * more.impact;
         slip += counts * more.slip;
         contacts += counts * more.contacts;
+        damping += counts * more.damping;
         lagging += counts * more.lagging;
     }
 };
@@ -145,14 +147,18 @@ ORBWEAVER_INLINE void meet_ground(const Touches& touch, const LaneBits& are_on, 
     const double lag = points.lag;
     const Vec3Lanes speed = moved * in_all(1 / h);                      // of the way
     const Vec3Lanes later = points.start_v + points.v - speed - speed;  // twice what the mean velocity has more
+    // What ended a fall turned them by more than the ground presses by since; springs are strained only then,
+    // and it is their damping that lags.
+    const Lanes fell = larger_of(Lanes{}, turned_up - larger_of(Lanes{}, pressed));
     const Lanes held_lag = lag * (dot(given, points.turned - n * turned_up) + dot(held, later));
     const Lanes pressed_lag =
-        lag * (given_up * (turned_up + (are_on ? lift : Lanes{})) + pressed * dot(later, n));
+        lag * (given_up * (turned_up - fell + (are_on ? lift : Lanes{})) + pressed * dot(later, n));
     const Lanes slide_work = 0.5 * (dot(slides, slides) - dot(along, along));
     const Lanes landing_work = 0.5 * (left * left - into * into) - given_up * lift;
     const Vec3Lanes slip = moved - n * dot(moved, n);
     books.friction -= dot(held, speed) + held_lag + (are_on ? slide_work : Lanes{});
     books.impact -= pressed * dot(speed, n) + pressed_lag + (are_on ? landing_work : Lanes{});
+    books.damping -= lag * given_up * fell;
     books.lagging += held_lag + pressed_lag;
     books.slip += are_on ? mass_spring::sqrt(dot(slip, slip)) : Lanes{};
     books.contacts += are_on ? in_all(1) : Lanes{};

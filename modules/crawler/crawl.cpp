@@ -252,6 +252,7 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t number, std::span<double
     });
     body.frame.friction += mass * sum(books.friction);
     body.frame.impact += mass * sum(books.impact);
+    body.frame.damping += mass * sum(books.damping);
     body.frame.slip += sum(books.slip);
     body.frame.contact += h * sum(books.contacts);
     body.frame.lagging += mass * sum(books.lagging);
@@ -265,7 +266,7 @@ double Crawl::work() const noexcept {
 
 double Crawl::other_loss() const noexcept {
     double sum = frame_.damping;
-    for (const Body& body : bodies_) sum -= body.frame.lagging;
+    for (const Body& body : bodies_) sum += body.frame.damping - body.frame.lagging;
     return sum;
 }
 

@@ -240,13 +240,15 @@ TEST_CASE("points are met in their own lanes, on a ground that faces anywhere", 
 
 TEST_CASE("books leave out lanes that are there twice", "[unit]") {
     LandingBooks sum;
-    const LandingBooks more{Lanes{1, 2, 3, 4}, Lanes{5, 6, 7, 8}, Lanes{9, 10, 11, 12}, Lanes{1, 1, 1, 1}};
+    const LandingBooks more{Lanes{1, 2, 3, 4}, Lanes{5, 6, 7, 8}, Lanes{9, 10, 11, 12}, Lanes{1, 1, 1, 1},
+                            Lanes{2, 4, 6, 8}};
     sum.add(more, true);
     sum.add(more, false);
     CHECK(crawler::sum(sum.friction) == 13);
     CHECK(crawler::sum(sum.impact) == 37);
     CHECK(crawler::sum(sum.slip) == 61);
     CHECK(crawler::sum(sum.contacts) == 6);
+    CHECK(crawler::sum(sum.damping) == 26);
 }
 
 // Leapfrogged, a linear spring keeps the energy whose kinetic part is v v'/2 of the velocities v and v' on both
@@ -279,7 +281,8 @@ TEST_CASE("where forces act where steps begin, books are of the energy that leap
         meet_ground(touch, is_near & (was_pressed | (touch.depth > Lanes{})), kScales, kStep, points, books);
     }
     const Lanes pending = 0.5 * dot(kick(points.x), points.turned);  // the next step would book it
-    const Lanes left = kept(points.x, points.v) - start + books.friction + books.impact - pending;
+    const Lanes left =
+        kept(points.x, points.v) - start + books.friction + books.impact + books.damping - pending;
     for (std::size_t i = 0; i < 4; ++i) {
         CHECK(books.contacts[i] > 40);
         CHECK(books.friction[i] > 1e-3 * start[i]);

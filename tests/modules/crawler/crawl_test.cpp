@@ -125,7 +125,7 @@ TEST_CASE("a body that is dropped comes to rest on the floor, whichever way up, 
         setup.friction = {FrictionLaw::coulomb, 0.2, 0.5, 0.4};
         setup.poses = {pose};
         const bool is_flat = pose.forward.x == 1;
-        setup.step = is_flat ? 1e-5 : 5e-5;
+        setup.step = 5e-5;
         Run run(setup);
         const double start = run.energy().total();
         const double width = setup.build.width, weight = run.mass() * kG;
@@ -145,9 +145,9 @@ TEST_CASE("a body that is dropped comes to rest on the floor, whichever way up, 
         CHECK(books.muscles == 0);
         CHECK(books.friction >= 0);
         CHECK(books.friction + books.impact + books.damping == Approx(lost).epsilon(1e-4));
-        // The half of a flat bar that is below stops at once, and what is above falls on: it stops half of the
-        // energy that fell, and as much more as damping takes during half of that step: 3 % are found.
-        if (is_flat) CHECK(books.impact == Approx(lost / 2).epsilon(0.04));
+        // The half of a flat bar that is below stops at once, and what is above falls on into the springs: the
+        // impact takes half of the energy that fell, and a little more of what comes back.
+        if (is_flat) CHECK(books.impact == Approx(lost / 2).epsilon(0.01));
         // The floor bears its weight, and pulls nowhere.
         Vec3 borne;
         for (const Vec3& each : run.reaction) {
