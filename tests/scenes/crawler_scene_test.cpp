@@ -56,13 +56,20 @@ TEST_CASE("every scene of crawlers runs a second without a warning and accounts 
     }
 }
 
-TEST_CASE("a worm keeps its volume and explains its energy", "[scene]") {
+TEST_CASE("on level ground crawlers keep their volume, explain their energy and get on", "[scene]") {
     if (kSanitized) return;
-    const json measures = crawlers_in(report_of_run(scene_path("worm")))[0]["measures"];
-    CHECK(measures["unexplained_share"] < 1e-3);
-    CHECK(measures["max_volume_error"] < 0.01);
-    CHECK(measures["lengths_per_cycle"] > 0.05);
-    CHECK(measures["cost_of_transport"] > 0);
+    struct Case {
+        const char* name;
+        double lengths_per_cycle;
+    };
+    for (const Case& each : {Case{"worm", 0.05}, {"snake", 0.3}, {"sidewinder", 0.4}, {"caterpillar", 0.2}}) {
+        CAPTURE(each.name);
+        const json measures = crawlers_in(report_of_run(scene_path(each.name)))[0]["measures"];
+        CHECK(measures["unexplained_share"] < 1e-3);
+        CHECK(measures["max_volume_error"] < 0.01);
+        CHECK(measures["lengths_per_cycle"] > each.lengths_per_cycle);
+        CHECK(measures["cost_of_transport"] > 0);
+    }
 }
 
 TEST_CASE("crawlers end in the same bits and books on two threads, and without wide vectors", "[scene]") {
