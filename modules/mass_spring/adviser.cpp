@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "lanczos.hpp"
 #include "orbweaver/random.hpp"
 #include "quantity.hpp"
-#include "spectral_bound.hpp"
 #include "stability_limit.hpp"
 
 namespace orbweaver::mass_spring {
@@ -16,30 +16,59 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// out = M^-1/2 (wk K + wc C) M^-1/2 in, with K and C the tangents at x.
+/// Of one spring at x, fixed ends not held: -df/dx is along n n^T + across I, and -df/dv is damping n n^T, with
+/// the signs + + - - of its two ends.
+struct Link {
+    std::uint32_t a, b;
+    Vec3 n;              ///< l/|l|; zero where it has none, as all else then
+    double along = 0;    ///< N/m, T' - T/|l|
+    double across = 0;   ///< N/m, T/|l|
+    double damping = 0;  ///< N s/m
+};
+
+std::vector<Link> links_of(const SpringSystem& system, std::span<const Vec3> x) {
+    std::vector<Link> links;
+    links.reserve(system.network().springs.size());
+    for (std::size_t i = 0; i < system.network().springs.size(); ++i) {
+        const Spring& s = system.network().springs[i];
+        Link link{s.a, s.b, {}};
+        const Vec3 l = x[s.a] - x[s.b];
+        if (const double length = norm(l); length > 0) {
+            const Tension here = system.tension(i, length);
+            link.n = l / length;
+            link.across = here.force / length;
+            link.along = here.slope - link.across;
+            link.damping = s.damping;
+        }
+        links.push_back(link);
+    }
+    return links;
+}
+
+/// M^-1/2 (wk K + wc C) M^-1/2, with K and C the tangents at x; zero where particles are fixed.
 class ScaledTangent {
 public:
     ScaledTangent(const SpringSystem& system, std::span<const Vec3> x)
-        : system_(&system), x_(x), scale_(x.size()), u_(x.size()), image_(x.size()) {
+        : drag_(system.drag()), links_(links_of(system, x)), scale_(x.size()), u_(x.size()) {
         const Network& network = system.network();
         for (std::size_t i = 0; i < x.size(); ++i) {
             scale_[i] = network.fixed[i] != 0 ? 0 : 1 / std::sqrt(network.mass[i]);
         }
     }
 
-    void apply(double wk, double wc, std::span<const Vec3> in, std::span<Vec3> out) {
+    void apply(double wk, double wc, std::span<const Vec3> in, std::span<Vec3> out) noexcept {
         for (std::size_t i = 0; i < in.size(); ++i) {
             u_[i] = scale_[i] * in[i];
-            out[i] = {};
+            out[i] = wc * drag_ * u_[i];
         }
-        if (wk != 0) {
-            system_->apply_stiffness(x_, u_, image_);
-            add(wk, out);
+        for (const Link& link : links_) {
+            const Vec3 du = u_[link.a] - u_[link.b];
+            const double along = (wk * link.along + wc * link.damping) * dot(link.n, du);
+            const Vec3 pull = along * link.n + wk * link.across * du;
+            out[link.a] += pull;
+            out[link.b] -= pull;
         }
-        if (wc != 0) {
-            system_->apply_damping(x_, u_, image_);
-            add(wc, out);
-        }
+        for (std::size_t i = 0; i < out.size(); ++i) out[i] = scale_[i] * out[i];
     }
 
     /// The quotient q.(wk K + wc C) q of a unit vector.
@@ -63,6 +92,8 @@ public:
                                  start, 1e-4);
     }
 
+    std::span<const Link> links() const noexcept { return links_; }
+
     /// M^-1/2 q: the displacements of a mode.
     std::vector<Vec3> displacements(std::span<const Vec3> q) const {
         std::vector<Vec3> u(q.size());
@@ -71,14 +102,10 @@ public:
     }
 
 private:
-    void add(double weight, std::span<Vec3> out) noexcept {
-        for (std::size_t i = 0; i < out.size(); ++i) out[i] += weight * scale_[i] * image_[i];
-    }
-
-    const SpringSystem* system_;
-    std::span<const Vec3> x_;
-    std::vector<double> scale_;  ///< m^-1/2, 0 where fixed
-    std::vector<Vec3> u_, image_;
+    double drag_;  ///< N s/m
+    std::vector<Link> links_;
+    std::vector<double> scale_;  ///< kg^-1/2, 0 where fixed
+    std::vector<Vec3> u_;
 };
 
 struct Mode {
@@ -112,21 +139,14 @@ Mode least_damped(ScaledTangent& tangent, Mode mode, const MethodInfo& method, d
 }
 
 /// The spring with the largest share in a mode's elastic energy, or in its damping when that rules it.
-void name_spring(const SpringSystem& system, std::span<const Vec3> x, std::span<const Vec3> u, Advice& advice) {
+void name_spring(std::span<const Link> links, std::span<const Vec3> u, Advice& advice) {
     const bool by_damping = advice.damping_rate > advice.angular_frequency;
-    const auto& springs = system.network().springs;
     double largest = 0;
-    for (std::size_t i = 0; i < springs.size(); ++i) {
-        const Spring& s = springs[i];
-        const Vec3 l = x[s.a] - x[s.b];
-        const Vec3 du = u[s.a] - u[s.b];
-        const double length = norm(l);
-        if (length == 0) continue;
-        const double along = dot(l, du) / length;
-        const double across = std::max(0.0, dot(du, du) - along * along);
-        const Tension tension = system.tension(i, length);
-        const double elastic = tension.slope * along * along + tension.force / length * across;
-        const double share = by_damping ? s.damping * along * along : elastic;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        const Vec3 du = u[links[i].a] - u[links[i].b];
+        const double along = dot(links[i].n, du);
+        const double share = by_damping ? links[i].damping * along * along
+                                        : links[i].along * along * along + links[i].across * dot(du, du);
         if (share <= largest) continue;
         largest = share;
         advice.spring = i;
@@ -150,7 +170,7 @@ std::string sentence_of(const Advice& advice, const MethodInfo& method) {
 
 Advice advise(const SpringSystem& system, std::span<const Vec3> x, const MethodInfo& method) {
     ScaledTangent tangent(system, x);
-    const double radius = bound_spectrum(system.network(), system.drag()).radius();
+    const double radius = system.spectral_bound().radius();
     Mode worst = mode_of(tangent, tangent.top(1, 0), method, radius);
     const bool needs_damping = worst.omega > 0 && stability_limit(method, worst.omega, 0, radius) == 0;
     Mode most_damped = mode_of(tangent, tangent.top(0, 1), method, radius);
@@ -161,7 +181,7 @@ Advice advise(const SpringSystem& system, std::span<const Vec3> x, const MethodI
     advice.stable_step = worst.limit;
     advice.angular_frequency = worst.omega;
     advice.damping_rate = worst.mu;
-    if (!worst.shape.empty()) name_spring(system, x, tangent.displacements(worst.shape), advice);
+    if (!worst.shape.empty()) name_spring(tangent.links(), tangent.displacements(worst.shape), advice);
     advice.sentence = sentence_of(advice, method);
     return advice;
 }

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "spectral_bound.hpp"
-
 namespace orbweaver::mass_spring {
 namespace {
 
@@ -33,7 +31,7 @@ void SpringSystem::network_changed() {
     drives_.resize(network_->driven ? table_.quads.size() / kGrain + 1 : 0);
     creep_.clear();
     implicit_ = nullptr;
-    spectral_radius_ = -1;
+    spectral_bound_.reset();
 }
 
 void SpringSystem::put_on_arms(std::span<const Vec3> x) {
@@ -118,7 +116,7 @@ Tension SpringSystem::tension(std::size_t spring, double length) const noexcept 
 
 void SpringSystem::set_surroundings(const Surroundings& surroundings) {
     gravity_ = surroundings.gravity;
-    if (drag_ != surroundings.drag) spectral_radius_ = -1;
+    if (drag_ != surroundings.drag) spectral_bound_.reset();
     drag_ = surroundings.drag;
     external_.resize(surroundings.external.empty() ? 0 : length());
     if (!external_.empty()) packing().pack(surroundings.external, external_);
@@ -197,9 +195,9 @@ void SpringSystem::use_linear_solver(LinearSolverKind kind) {
     implicit_.reset();
 }
 
-double SpringSystem::spectral_radius() {
-    if (spectral_radius_ < 0) spectral_radius_ = bound_spectrum(*network_, drag_).radius();
-    return spectral_radius_;
+const SpectralBound& SpringSystem::spectral_bound() const {
+    if (!spectral_bound_) spectral_bound_ = bound_spectrum(*network_, drag_);
+    return *spectral_bound_;
 }
 
 bool SpringSystem::prepare(std::span<const double> x, double c, double k, Tangent tangent) {

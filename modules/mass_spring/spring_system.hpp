@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "orbweaver/contracts/workers.hpp"
 #include "orbweaver/vec3.hpp"
 #include "packing.hpp"
+#include "spectral_bound.hpp"
 #include "spring_force.hpp"
 #include "spring_kernel.hpp"
 #include "step_hooks.hpp"
@@ -154,7 +156,7 @@ public:
     void accelerations_at_start(std::span<const double> x, std::span<const double> v,
                                 std::span<double> a) noexcept override;
     void kick_and_drift(std::span<double> x, std::span<double> v, double kick, double drift) noexcept override;
-    double spectral_radius() override;
+    double spectral_radius() override { return spectral_bound().radius(); }
     bool prepare(std::span<const double> x, double c, double k, Tangent tangent) override;
     void solve(std::span<const double> r, std::span<double> u) override;
     double inner_product(std::span<const double> r, std::span<const double> u) const noexcept override;
@@ -162,6 +164,8 @@ public:
     void project_springs(std::span<const double> start, std::span<double> x, double h) const noexcept override;
     void limit_strain(std::span<double> x, double strain) const noexcept override;
 
+    /// However the particles may stand.
+    const SpectralBound& spectral_bound() const;
     Tension tension(std::size_t spring, double length) const noexcept;  ///< with its arm
     Vec3 external_force(std::size_t particle) const noexcept;           ///< N
     double drag() const noexcept { return drag_; }                      ///< N s/m
@@ -204,7 +208,7 @@ private:
     std::unique_ptr<ImplicitTangent> implicit_;  ///< null until an implicit method asks
     mutable double work_ = 0;                    ///< s
     StepHooks* hooks_ = nullptr;
-    double spectral_radius_ = -1;  ///< 1/s; negative until a method asks
+    mutable std::optional<SpectralBound> spectral_bound_;  ///< none until somebody asks
 };
 
 /// Tension (N, negative in compression) of one spring without its arm, its elastic part.

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include "spectral_bound.hpp"
 #include "stability_limit.hpp"
 
 namespace orbweaver::mass_spring {
 
 double bound_step(const SpringSystem& system, const MethodInfo& method) {
     if (is_curved(system.network())) return std::numeric_limits<double>::infinity();
-    const SpectralBound bound = bound_spectrum(system.network(), system.drag());
+    const SpectralBound& bound = system.spectral_bound();
     const auto limit = [&](double omega, double mu) {
         return stability_limit(method, omega, mu, bound.radius());
     };
