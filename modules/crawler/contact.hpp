@@ -87,21 +87,24 @@ ORBWEAVER_INLINE Vec3Lanes laid_across(const Vec3Lanes& spine, const Vec3Lanes& 
 
 /// Four points after a step of h seconds.
 struct Landing {
-    Vec3Lanes x, v;        ///< m, m/s
-    Vec3Lanes start;       ///< m, before the step
-    Vec3Lanes start_v;     ///< m/s
-    Vec3Lanes pressed;     ///< m/s, what the ground's reaction gave them during the step
-    Vec3Lanes turned;      ///< m/s, what the ground gave them at the end of the step before, after their way
-    Vec3Lanes spine;       ///< along their body, of any length
-    Lanes holds;           ///< m/s, what it takes to tear them off
-    double allowance = 0;  ///< m, deep in the ground within which they may stay
-    double lag = 0;        ///< of the method (see MethodInfo), where its forces act where steps begin; else 0
+    Vec3Lanes x, v;         ///< m, m/s
+    Vec3Lanes start;        ///< m, before the step
+    Vec3Lanes start_v;      ///< m/s
+    Vec3Lanes pressed;      ///< m/s, what the ground's reaction gave them during the step
+    Vec3Lanes turned;       ///< m/s, what the ground gave them at the end of the step before, after their way
+    Vec3Lanes spine;        ///< along their body, of any length
+    Lanes holds;            ///< m/s, what it takes to tear them off
+    double allowance = 0;   ///< m, deep in the ground within which they may stay
+    Vec3 weighed;           ///< m/s, what gravity gives them in a step
+    double lag = 0;         ///< of the method (see MethodInfo), where its forces act where steps begin; else 0
+    double damped_lag = 0;  ///< likewise, where springs are damped; else 0
 };
 
 /// Per kg, and what goes with it; of each lane.
 struct LandingBooks {
     Lanes friction{}, impact{}, slip{}, contacts{};
-    Lanes damping{};  ///< what springs' damping took while a fall ended
+    Lanes lift{};     ///< less of impact, what the ground gave by lifting them
+    Lanes damping{};  ///< what springs' damping took as falls ended
     Lanes lagging{};  ///< of the work in friction and impact, what a method's lag put there
 
     /// The last two lanes only where they are not the first two again.
@@ -111,6 +114,7 @@ struct LandingBooks {
         impact += counts * more.impact;
         slip += counts * more.slip;
         contacts += counts * more.contacts;
+        lift += counts * more.lift;
         damping += counts * more.damping;
         lagging += counts * more.lagging;
     }
@@ -144,21 +148,24 @@ ORBWEAVER_INLINE void meet_ground(const Touches& touch, const LaneBits& are_on, 
     // here: the ground goes on to press as it does without.
     const Lanes share = pressing > Lanes{} ? -given_up / pressing : in_all(1);
     const Lanes lasting = larger_of(Lanes{}, share < 1 ? share : in_all(1));
+    // What ended a fall turned them by more than the ground presses by since. It stopped at once what springs
+    // then brake, unstrained as yet: what they gave them in the step is damping's.
+    const Vec3& weighed = points.weighed;
+    const Lanes braked = given_up - (weighed.x * n.x + weighed.y * n.y + weighed.z * n.z);
+    const Lanes fell_lag = points.damped_lag * braked * larger_of(Lanes{}, turned_up - absolute(pressed));
     const double lag = points.lag;
     const Vec3Lanes speed = moved * in_all(1 / h);                      // of the way
     const Vec3Lanes later = points.start_v + points.v - speed - speed;  // twice what the mean velocity has more
-    // What ended a fall turned them by more than the ground presses by since; springs are strained only then,
-    // and it is their damping that lags.
-    const Lanes fell = larger_of(Lanes{}, turned_up - larger_of(Lanes{}, pressed));
     const Lanes held_lag = lag * (dot(given, points.turned - n * turned_up) + dot(held, later));
-    const Lanes pressed_lag =
-        lag * (given_up * (turned_up - fell + (are_on ? lift : Lanes{})) + pressed * dot(later, n));
+    const Lanes lifted_by = are_on ? lift : Lanes{};
+    const Lanes pressed_lag = lag * (given_up * (turned_up + lifted_by) + pressed * dot(later, n)) - fell_lag;
     const Lanes slide_work = 0.5 * (dot(slides, slides) - dot(along, along));
     const Lanes landing_work = 0.5 * (left * left - into * into) - given_up * lift;
     const Vec3Lanes slip = moved - n * dot(moved, n);
     books.friction -= dot(held, speed) + held_lag + (are_on ? slide_work : Lanes{});
     books.impact -= pressed * dot(speed, n) + pressed_lag + (are_on ? landing_work : Lanes{});
-    books.damping -= lag * given_up * fell;
+    books.lift -= (1 - lag) * given_up * lifted_by;
+    books.damping -= fell_lag;
     books.lagging += held_lag + pressed_lag;
     books.slip += are_on ? mass_spring::sqrt(dot(slip, slip)) : Lanes{};
     books.contacts += are_on ? in_all(1) : Lanes{};

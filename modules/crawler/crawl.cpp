@@ -44,6 +44,7 @@ Books& Books::operator+=(const Books& o) noexcept {
     damping += o.damping;
     friction += o.friction;
     impact += o.impact;
+    lift += o.lift;
     slip += o.slip;
     contact += o.contact;
     lagging += o.lagging;
@@ -207,6 +208,7 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t number, std::span<double
         body.middles[ring] = 0.25 * Vec3{sum(at.x), sum(at.y), sum(at.z)};
     }
     const double near = kNear * build_.width, reach = kReach * build_.width, mass = build_.point_mass();
+    const double lag = std::max(lag_, 0.0);
     double* const reactions = system_->hook_forces().data();
     LandingBooks books;
     run_wide([&]() ORBWEAVER_ALWAYS_INLINE {
@@ -234,7 +236,9 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t number, std::span<double
                                      {spine.z, spine.z, next.z, next.z}},
                            h * hold,
                            near,
-                           std::max(lag_, 0.0)};
+                           h * system_->gravity(),
+                           lag,
+                           build_.damping > 0 ? lag : 0};
             LandingBooks here;
             meet_ground(touch, are_on, friction_, h, points, here);
             books.add(here, one != other);
@@ -252,6 +256,7 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t number, std::span<double
     });
     body.frame.friction += mass * sum(books.friction);
     body.frame.impact += mass * sum(books.impact);
+    body.frame.lift += mass * sum(books.lift);
     body.frame.damping += mass * sum(books.damping);
     body.frame.slip += sum(books.slip);
     body.frame.contact += h * sum(books.contacts);

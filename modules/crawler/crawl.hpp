@@ -30,6 +30,7 @@ struct Books {
     double damping = 0;   ///< that springs' damping and drag took
     double friction = 0;  ///< that sliding took
     double impact = 0;    ///< that the ground took of motion into it, less what it gave by lifting points
+    double lift = 0;      ///< that it gave by lifting them
     double slip = 0;      ///< m, that points slid on the ground, all together
     double contact = 0;   ///< s, that points were on the ground, all together
     double lagging = 0;  ///< J, of the work in friction and impact, what a method's lag put there (see Landing)

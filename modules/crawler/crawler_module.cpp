@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numeric>
 
@@ -53,6 +54,7 @@ public:
         network_ = make_network(lattice_, crawler_.build);
         frame_step_ = host.scene().step;
         make_state(host, places);
+        if (const auto* cliff = std::get_if<Cliff>(&ground)) cliff_ = *cliff;
         make_system(host, std::move(ground));
         offer_telemetry(host);
         host.provide<Creatures>(*this);
@@ -107,10 +109,11 @@ public:
     std::span<const Vec3> positions() const noexcept override { return centers_; }
     std::span<const Vec3> velocities() const noexcept override { return center_velocities_; }
 
-    bool wanted() const noexcept override { return debug_; }
+    bool wanted() const noexcept override { return debug_ || cliff_; }
     std::span<const SketchLine> lines() override {
         lines_.clear();
-        add_sketch(lattice_, crawler_.build, norm(gravity_), position_, trace_.reaction, lines_);
+        if (cliff_) add_cliff(*cliff_, 1.5 * crawler_.build.length, lines_);
+        if (debug_) add_sketch(lattice_, crawler_.build, norm(gravity_), position_, trace_.reaction, lines_);
         return lines_;
     }
 
@@ -163,8 +166,6 @@ private:
             look_at(body);
             pilots_[body].journey.start = pilots_[body].journey.mark = centers_[body];
         }
-        account_.start_energy = system_->energy(position_, velocity_).total();
-        write_pilots();
         crawler_.settings.describe_spring = [this](std::size_t i) { return describe_spring(i); };
         crawler_.settings.warn = [&host](const std::string& sentence) {
             host.log(LogLevel::warning, sentence);
@@ -173,12 +174,27 @@ private:
         if (crawler_.settings.step == 0) choose_step();
         simulation_ = std::make_unique<mass_spring::Simulation>(*system_, crawler_.settings, frame_step_,
                                                                 position_, velocity_, substep_);
+        warn_of_period();
+        account_.start_energy = kept_energy();
+        write_pilots();
     }
 
-    /// Well within what the springs alone allow. What sticks to the ground is held by the reaction of the step
-    /// before, d' = -(h omega)^2 d of its moves d: it is still where h omega < 1, omega of the point alone,
-    /// whose neighbors stand still. In the fastest vibration they move against it, so that it has up to twice
-    /// that stiffness, and it is stable up to h omega = 2: steps may be sqrt(1/2) of those.
+    void warn_of_period() {
+        constexpr double kFewest = 10;
+        const double step = simulation_->substep();
+        if (crawler_.period >= kFewest * step) return;
+        crawler_.settings.warn(
+            fmt::format("a 'period' of {:.3g} s is shorter than {} steps of {:.3g} s, which do "
+                        "not resolve its waves; ask for a longer one, or a shorter 'step'",
+                        crawler_.period, kFewest, step));
+    }
+
+    /// Well within what the springs alone allow, by symplectic Euler too: whatever the method, the ground acts
+    /// between its steps, and what lands on it must not be strained much before it is met. What sticks to the
+    /// ground is held by the reaction of the step before, d' = -(h omega)^2 d of its moves d: it is still where
+    /// h omega < 1, omega of the point alone, whose neighbors stand still. In the fastest vibration they move
+    /// against it, so that it has up to twice that stiffness, and it is stable up to h omega = 2: steps may be
+    /// sqrt(1/2) of those.
     void choose_step() {
         constexpr double kShare = 0.7;
         // All bodies are alike.
@@ -186,8 +202,13 @@ private:
         const mass_spring::Network network = make_network(one, crawler_.build);
         mass_spring::SpringSystem springs(network, nullptr);
         springs.set_surroundings({gravity_, crawler_.drag, {}});
-        const double stable = advise(springs, body_points(0), *crawler_.settings.method).stable_step;
-        if (stable > 0 && std::isfinite(stable)) crawler_.settings.step = kShare * stable;
+        const auto stable = [&](const mass_spring::MethodInfo& method) {
+            const double step = advise(springs, body_points(0), method).stable_step;
+            return step > 0 ? step : std::numeric_limits<double>::infinity();
+        };
+        const double step =
+            std::min(stable(*crawler_.settings.method), stable(*mass_spring::find_method("symplectic_euler")));
+        if (std::isfinite(step)) crawler_.settings.step = kShare * step;
     }
 
     void offer_telemetry(Host& host) {
@@ -294,23 +315,53 @@ private:
                        account_.now > 0 ? books.contact / account_.now / lattice_.bodies : 0);
     }
 
-    void report_energy(ModuleReport& report) const {
+    /// J, as the books have it: velocities are brought to where positions are, without what the ground gave
+    /// them last, which springs answer in the next step.
+    double kept_energy() const {
+        double energy = system_->energy(position_, velocity_).total();
+        const mass_spring::MethodInfo& method = *crawler_.settings.method;
+        const double h = simulation_->substep(), turned_lag = std::max(method.lag, 0.0);
+        std::vector<Vec3> force(position_.size());
+        system_->forces(position_, velocity_, force);
+        for (std::size_t i = 0; i < force.size(); ++i) {
+            const Vec3 given = h * (force[i] - system_->external_force(i));
+            energy += dot(given, method.velocity_lag * velocity_[i] - turned_lag * trace_.turned[i]);
+        }
+        return energy;
+    }
+
+    void report_energy(ModuleReport& report) {
         const Books& books = crawl_->books();
-        const double change = system_->energy(position_, velocity_).total() - account_.start_energy;
+        const double change = kept_energy() - account_.start_energy;
         const double rest = books.muscles - books.friction - books.impact - books.damping - change;
         const double moved = std::abs(books.muscles) + std::abs(change);
+        const double share = moved > 0 ? std::abs(rest) / moved : 0;
         double way = 0;
         for (const Pilot& pilot : pilots_) way += pilot.journey.way;
         report.measure("work_in_j", books.muscles);
         report.measure("friction_loss_j", books.friction);
         report.measure("impact_loss_j", books.impact);
+        report.measure("lift_gain_j", books.lift);
         report.measure("damping_loss_j", books.damping);
         report.measure("energy_change_j", change);
         report.measure("unexplained_energy_j", rest);
-        report.measure("unexplained_share", moved > 0 ? std::abs(rest) / moved : 0);
+        report.measure("unexplained_share", share);
         report.measure("energy_gain_j", simulation_->energy_gain());
         if (way > 0 && norm(gravity_) > 0)
             report.measure("cost_of_transport", books.muscles / (crawler_.build.mass * norm(gravity_) * way));
+        warn_of_books(rest, share);
+    }
+
+    /// Not of what is nothing beside bodies' weight.
+    void warn_of_books(double rest, double share) {
+        constexpr double kMuch = 0.1, kNothing = 1e-3;
+        const double weight = lattice_.bodies * crawler_.build.mass * norm(gravity_);
+        if (!(share > kMuch) || !(std::abs(rest) > kNothing * weight * crawler_.build.width)) return;
+        crawler_.settings.warn(fmt::format(
+            "{:.3g} J of the crawlers' energy, {:.0f} % of what muscles did and motion changed by, "
+            "are unexplained: steps of {:.3g} s are too long for '{}'; ask for a shorter 'step', or "
+            "for symplectic_euler, whose books close best",
+            std::abs(rest), 100 * share, simulation_->substep(), crawler_.settings.method->name));
     }
 
     std::string describe_spring(std::size_t i) const {
@@ -353,6 +404,7 @@ private:
     std::unique_ptr<mass_spring::Simulation> simulation_;
     std::optional<Skin> skin_;  // made when somebody looks
     bool debug_ = false;
+    std::optional<Cliff> cliff_;  // which no other module draws
     std::vector<SketchLine> lines_;
 };
 

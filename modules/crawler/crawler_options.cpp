@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace orbweaver::crawler {
@@ -71,6 +72,25 @@ void read_settings(const Options& options, Crawler& into) {
     into.linear_solver = linear_solver_named(options.text("linear_solver"));
 }
 
+/// Muscles may not ask a bend's inside for less than no length, where bends are sharpest and segments shortest.
+void check_shapes(const Options& options, const Crawler& crawler, Diagnostics& faults) {
+    const Effort& effort = crawler.effort;
+    const double length = crawler.build.length, strain = crawler.gait->strains ? effort.strain : 0;
+    const double width = crawler.build.width / (crawler.build.keeps_volume ? std::sqrt(1 - strain) : 1);
+    const double curvature =
+        effort.turn + (crawler.gait->bends ? effort.bend : 0) + (crawler.gait->lifts ? effort.lift : 0);
+    const double most = 2 * (1 - strain) / width;
+    if (curvature < most) return;
+    const char* key = "width";
+    for (const char* each : {"strain", "turn", "lift", "bend"})
+        if (options.given(each)) key = each;
+    faults.push_back({options.where(key), "muscles would fold over what is inside of bends",
+                      fmt::format("'bend', 'lift' and 'turn' of the gait of less than {:.3g} together, where "
+                                  "segments shorten by {:.3g}",
+                                  most * length, strain),
+                      "ask for less of them, or a thinner body"});
+}
+
 /// Two goals at once, and waves that the segments do not resolve.
 void check(const Options& options, const Crawler& crawler, Diagnostics& faults) {
     constexpr double kFewest = 4;  // segments a wave
@@ -129,6 +149,8 @@ private:
 
     void lie_on_floor(Pose at, std::vector<Vec3>& points) const {
         at.middle.y = options_.number("floor");
+        if (options_.has("cliff.edge") && at.middle.x > options_.number("cliff.edge"))
+            at.middle.y -= options_.number("cliff.drop");
         for (std::uint32_t ring = 0; ring <= crawler_.build.segments; ++ring)
             add({at.middle + (crawler_.build.segment() * ring - crawler_.build.length / 2) * at.forward,
                  at.forward, at.up},
@@ -196,6 +218,7 @@ Crawler read_crawler(const Options& options, const Vec3& gravity, Diagnostics& f
     crawler.script = read_script(options);
     read_settings(options, crawler);
     check(options, crawler, faults);
+    check_shapes(options, crawler, faults);
     return crawler;
 }
 

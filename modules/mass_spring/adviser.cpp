@@ -115,10 +115,13 @@ struct Mode {
     std::vector<Vec3> shape;  ///< mass-scaled, unit length
 };
 
-Mode mode_of(ScaledTangent& tangent, EigenPair pair, const MethodInfo& method, double radius) {
+/// `stiffest`: rad/s, beside which bodies that move as a whole swing by rounding alone.
+Mode mode_of(ScaledTangent& tangent, EigenPair pair, const MethodInfo& method, double radius, double stiffest) {
+    constexpr double kRounding = 1e-7;
     if (pair.vector.empty()) return {};
     Mode mode;
     mode.omega = std::sqrt(std::max(0.0, tangent.quotient(1, 0, pair.vector)));
+    if (mode.omega < kRounding * stiffest) mode.omega = 0;
     mode.mu = std::max(0.0, tangent.quotient(0, 1, pair.vector));
     mode.limit = stability_limit(method, mode.omega, mode.mu, radius);
     mode.shape = std::move(pair.vector);
@@ -127,11 +130,11 @@ Mode mode_of(ScaledTangent& tangent, EigenPair pair, const MethodInfo& method, d
 
 /// A method that amplifies undamped oscillation is limited where omega^2/mu is largest, in whichever mode:
 /// the largest lambda of K q = lambda C q, found from above by Dinkelbach's iteration on K - lambda C.
-Mode least_damped(ScaledTangent& tangent, Mode mode, const MethodInfo& method, double radius) {
+Mode least_damped(ScaledTangent& tangent, Mode mode, const MethodInfo& method, double radius, double stiffest) {
     constexpr int kMaxRounds = 12;
     for (int round = 0; round < kMaxRounds && mode.limit > 0 && mode.mu > 0; ++round) {
         const double ratio = mode.omega * mode.omega / mode.mu;
-        Mode next = mode_of(tangent, tangent.top(1, -ratio), method, radius);
+        Mode next = mode_of(tangent, tangent.top(1, -ratio), method, radius, stiffest);
         if (!(next.limit < mode.limit * (1 - 1e-6))) break;
         mode = std::move(next);
     }
@@ -171,11 +174,12 @@ std::string sentence_of(const Advice& advice, const MethodInfo& method) {
 Advice advise(const SpringSystem& system, std::span<const Vec3> x, const MethodInfo& method) {
     ScaledTangent tangent(system, x);
     const double radius = system.spectral_bound().radius();
-    Mode worst = mode_of(tangent, tangent.top(1, 0), method, radius);
+    Mode worst = mode_of(tangent, tangent.top(1, 0), method, radius, 0);
+    const double stiffest = worst.omega;
     const bool needs_damping = worst.omega > 0 && stability_limit(method, worst.omega, 0, radius) == 0;
-    Mode most_damped = mode_of(tangent, tangent.top(0, 1), method, radius);
+    Mode most_damped = mode_of(tangent, tangent.top(0, 1), method, radius, stiffest);
     if (most_damped.limit < worst.limit) worst = std::move(most_damped);
-    if (needs_damping) worst = least_damped(tangent, std::move(worst), method, radius);
+    if (needs_damping) worst = least_damped(tangent, std::move(worst), method, radius, stiffest);
 
     Advice advice;
     advice.stable_step = worst.limit;

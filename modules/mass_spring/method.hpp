@@ -48,6 +48,9 @@ struct MethodInfo {
     /// Steps by which the middle of the way on which a step's forces work is older than its begin: half of one
     /// where they act where it begins, minus half of one where it ends.
     double lag = 0;
+    /// Steps by which velocities are older than the positions that they are told with: half of one where
+    /// positions moved by them, minus half of one where they will.
+    double velocity_lag = 0;
 };
 
 /// Every method there is, in the order documents list them.

@@ -8,18 +8,20 @@ namespace orbweaver::mass_spring {
 
 std::span<const MethodInfo> methods() noexcept {
     static constexpr std::array<MethodInfo, 11> table{{
-        // name, order, embedded order, evaluations, make, whether springs must not be damped, resonance, judge, lag
-        {"explicit_euler", 1, 0, 1, make_explicit_euler, false, 0, {}, 0.5},
-        {"symplectic_euler", 1, 0, 1, make_symplectic_euler, false, 0, {}, 0.5},
+        // name, order, embedded order, evaluations, make, whether springs must not be damped, resonance, judge,
+        // lag,
+        // velocity_lag
+        {"explicit_euler", 1, 0, 1, make_explicit_euler, false, 0, {}, 0.5, -0.5},
+        {"symplectic_euler", 1, 0, 1, make_symplectic_euler, false, 0, {}, 0.5, 0.5},
         {"verlet", 2, 0, 2, make_verlet},
         {"rk4", 4, 0, 4, make_rk4},
         {"tsit5", 5, 4, 6, make_tsit5},
         {"srkn6", 6, 0, 12, make_srkn6, true, 3.1414},
         {"rkc2", 2, 2, 0, make_rkc2},
-        {"implicit_euler", 1, 0, 1, make_implicit_euler, false, 0, {}, -0.5},
+        {"implicit_euler", 1, 0, 1, make_implicit_euler, false, 0, {}, -0.5, 0.5},
         {"tr_bdf2", 2, 2, 0, make_tr_bdf2},
-        {"provot", 1, 0, 1, make_provot, false, 0, "tr_bdf2", 0.5},
-        {"xpbd", 1, 0, 0, make_xpbd, false, 0, "tr_bdf2", -0.5},
+        {"provot", 1, 0, 1, make_provot, false, 0, "tr_bdf2", 0.5, 0.5},
+        {"xpbd", 1, 0, 0, make_xpbd, false, 0, "tr_bdf2", -0.5, 0.5},
     }};
     return table;
 }

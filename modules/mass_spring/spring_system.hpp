@@ -168,6 +168,7 @@ public:
     const SpectralBound& spectral_bound() const;
     Tension tension(std::size_t spring, double length) const noexcept;  ///< with its arm
     Vec3 external_force(std::size_t particle) const noexcept;           ///< N
+    const Vec3& gravity() const noexcept { return gravity_; }           ///< m/s^2
     double drag() const noexcept { return drag_; }                      ///< N s/m
     /// Net force (N) on every particle, fixed ones too: at rest, minus what its anchor bears.
     void forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> f) const noexcept;

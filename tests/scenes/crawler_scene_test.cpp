@@ -106,6 +106,22 @@ TEST_CASE("a run of crawlers that is saved and gone on from ends in the state an
     }
 }
 
+TEST_CASE("books that a step too long leaves open are warned of, and waves that steps do not resolve",
+          "[scene]") {
+    const Folder folder("crawler_steps");
+    const auto said = [&](const char* options) {
+        const std::string scene =
+            folder.write("s.toml", std::string("[[crawler]]\nkind = \"worm\"\n") + options);
+        const Outcome outcome = run_program("run " + scene + " --quiet --duration 0.5");
+        CHECK(outcome.code == 0);
+        return outcome.text;
+    };
+    CHECK(said("").empty());
+    CHECK_THAT(said("method = \"implicit_euler\"\nstep = \"16 ms\"\n"),
+               Catch::Contains("are unexplained: steps of") && Catch::Contains("ask for a shorter 'step'"));
+    CHECK_THAT(said("period = \"1 ms\"\n"), Catch::Contains("is shorter than 10 steps of"));
+}
+
 TEST_CASE("a worm that falls so fast that it is crushed says so, once, and one that lands whole does not",
           "[extreme]") {
     const Folder folder("crawler_crushed");

@@ -240,15 +240,23 @@ TEST_CASE("points are met in their own lanes, on a ground that faces anywhere", 
 
 TEST_CASE("books leave out lanes that are there twice", "[unit]") {
     LandingBooks sum;
-    const LandingBooks more{Lanes{1, 2, 3, 4}, Lanes{5, 6, 7, 8}, Lanes{9, 10, 11, 12}, Lanes{1, 1, 1, 1},
-                            Lanes{2, 4, 6, 8}};
+    LandingBooks more;
+    more.friction = Lanes{1, 2, 3, 4};
+    more.impact = Lanes{5, 6, 7, 8};
+    more.slip = Lanes{9, 10, 11, 12};
+    more.contacts = Lanes{1, 1, 1, 1};
+    more.lift = Lanes{2, 4, 6, 8};
+    more.damping = Lanes{1, 3, 5, 7};
+    more.lagging = Lanes{3, 5, 7, 9};
     sum.add(more, true);
     sum.add(more, false);
     CHECK(crawler::sum(sum.friction) == 13);
     CHECK(crawler::sum(sum.impact) == 37);
     CHECK(crawler::sum(sum.slip) == 61);
     CHECK(crawler::sum(sum.contacts) == 6);
-    CHECK(crawler::sum(sum.damping) == 26);
+    CHECK(crawler::sum(sum.lift) == 26);
+    CHECK(crawler::sum(sum.damping) == 20);
+    CHECK(crawler::sum(sum.lagging) == 32);
 }
 
 // Leapfrogged, a linear spring keeps the energy whose kinetic part is v v'/2 of the velocities v and v' on both

@@ -219,6 +219,12 @@ TEST_CASE("a body bends over an edge of a surface, a fixed way off it", "[unit]"
     }
 }
 
+TEST_CASE("beyond a cliff's edge a body lies on the floor below", "[unit]") {
+    const std::string cliff = std::string(kSmall) + "floor = 0.3\ncliff = { edge = 0, drop = \"20 cm\" }\n";
+    CHECK(Read(cliff + "position = [0.2, 0, 0]\n").lowest() == Approx(0.1));
+    CHECK(Read(cliff + "position = [-0.2, 0, 0]\n").lowest() == Approx(0.3));
+}
+
 TEST_CASE("there is a level floor unless a surface or a cliff is there", "[unit]") {
     CHECK(std::get<Floor>(Read("floor = 0.3\n").ground).height == 0.3);
     const Read cliff("floor = 0.3\ncliff = { edge = 0.1, radius = \"2 cm\", drop = \"4 cm\" }\n");
@@ -247,6 +253,12 @@ TEST_CASE("what does not go together is refused where the scene says it", "[unit
         {"a radius without an edge", "cliff.radius = 0.01\n", "scene.toml:1:16: a cliff has no edge"},
         {"a wide edge", "cliff = { edge = 0, radius = 0.03, drop = 0.05 }\n",
          "scene.toml:1:30: the rounded edge is higher than half of the cliff"},
+        {"bends that fold", "length = 0.1\nwidth = 0.01\nbend = 19\ngait = \"undulation\"\n",
+         "scene.toml:3:8: muscles would fold over what is inside of bends; expected 'bend', 'lift' and 'turn' "
+         "of "
+         "the gait of less than 20 together"},
+        {"a strain that folds", "length = 0.1\nwidth = 0.01\nstrain = 0.9\nturn = 1\n",
+         "scene.toml:4:8: muscles would fold over"},
         {"a floor beside a surface", "floor = 0\n", "scene.toml:1:9: there are two grounds to crawl on", true},
         {"a cliff beside a surface", "cliff.edge = 0\n", "scene.toml:1:14: there are two grounds", true},
     };

@@ -1,6 +1,7 @@
 #include "sketch.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 using namespace orbweaver;
 using namespace orbweaver::crawler;
@@ -26,4 +27,20 @@ TEST_CASE("a sketch shows every spine, and forces in proportion to weights", "[u
     lines.clear();
     add_sketch(lattice, build, 0, x, reaction, lines);
     CHECK(lines.size() == 10);  // without weight there is nothing to measure forces by
+}
+
+TEST_CASE("a sketch of a cliff lies on it, all along its profile", "[unit]") {
+    const Cliff cliff{0.3, 0.1, 0.02, 0.06};
+    std::vector<SketchLine> lines;
+    add_cliff(cliff, 0.5, lines);
+    bool is_above = false, is_below = false, is_round = false;
+    for (const SketchLine& line : lines)
+        for (const Vec3& p : {line.a, line.b}) {
+            CHECK(std::abs(cliff.touch(p, 0).depth) < 1e-12);
+            CHECK(std::abs(p.z) <= 0.5);
+            is_above |= p.x < -0.3;
+            is_below |= p.x > 0.5;
+            is_round |= p.x > 0.08 && p.x < 0.1 && p.y < 0.3;
+        }
+    CHECK((is_above && is_below && is_round));
 }
