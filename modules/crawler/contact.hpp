@@ -164,7 +164,7 @@ ORBWEAVER_INLINE void meet_ground(const Touches& touch, const LaneBits& are_on, 
     const Vec3Lanes slip = moved - n * dot(moved, n);
     books.friction -= dot(held, speed) + held_lag + (are_on ? slide_work : Lanes{});
     books.impact -= pressed * dot(speed, n) + pressed_lag + (are_on ? landing_work : Lanes{});
-    books.lift -= (1 - lag) * given_up * lifted_by;
+    books.lift -= given_up * ((1 - lag) * lifted_by + lag * larger_of(Lanes{}, -turned_up));
     books.damping -= fell_lag;
     books.lagging += held_lag + pressed_lag;
     books.slip += are_on ? mass_spring::sqrt(dot(slip, slip)) : Lanes{};

@@ -30,6 +30,16 @@ std::size_t count_stretches(WaveForm form, std::span<const Drive> drives) noexce
     return static_cast<std::size_t>(std::clamp(std::ceil(kACycle * cycles), 1.0, kMost));
 }
 
+/// How often points look at a surface in a frame: often enough that none goes far meanwhile, beside the body's
+/// width, unless it flies.
+std::size_t count_looks(std::span<const Vec3> v, double seconds, double width) noexcept {
+    constexpr double kFar = 1.0 / 16, kMost = 16;
+    double square = 0;
+    for (const Vec3& each : v) square = std::max(square, dot(each, each));
+    return static_cast<std::size_t>(
+        std::clamp(std::ceil(std::sqrt(square) * seconds / (kFar * width)), 1.0, kMost));
+}
+
 /// Along the body at a ring, from the middles of its neighbors (Miller's local spine vector).
 Vec3 spine_at(std::span<const Vec3> middles, std::size_t ring) noexcept {
     const std::size_t before = ring > 0 ? ring - 1 : 0;
@@ -65,6 +75,8 @@ Crawl::Crawl(mass_spring::SpringSystem& system, const Lattice& lattice, const Bu
       start_x_(system.length()),
       start_v_(system.length()),
       turned_(system.length()),
+      look_x_(std::holds_alternative<SurfaceGround>(ground_) ? lattice.points() : 0),
+      look_v_(look_x_.size()),
       drives_(lattice.bodies),
       bodies_(lattice.bodies, {Muscles(build),
                                std::vector<Flex>(lattice.segments),
@@ -122,11 +134,25 @@ void Crawl::begin_frame(std::span<const Drive> drives, std::span<const Vec3> x, 
     stretches_ = count_stretches(waves_.form(), drives);
     seconds_ = seconds;
     for (std::size_t i = 0; i < trace_.size(); ++i) start_trace_[i].assign(trace_[i].begin(), trace_[i].end());
-    if (auto* surface = std::get_if<SurfaceGround>(&ground_)) surface->look(x, v, seconds);
+    if (auto* surface = std::get_if<SurfaceGround>(&ground_)) {
+        looks_ = count_looks(v, seconds, build_.width);
+        surface->look(x, v, seconds / static_cast<double>(looks_));
+        surface->mark();
+    }
+}
+
+void Crawl::look_again(std::span<const double> x, std::span<const double> v) noexcept {
+    auto* surface = std::get_if<SurfaceGround>(&ground_);
+    if (surface == nullptr) return;
+    system_->packing().unpack(x, look_x_);
+    system_->packing().unpack(v, look_v_);
+    surface->look_again(look_x_, look_v_, seconds_ / static_cast<double>(looks_));
 }
 
 void Crawl::rewind() noexcept {
     elapsed_ = 0;
+    look_ = 0;
+    if (auto* surface = std::get_if<SurfaceGround>(&ground_)) surface->rewind();
     frame_ = {};
     for (Body& body : bodies_) {
         body.frame = {};
@@ -171,6 +197,11 @@ void Crawl::find_lengths(std::uint32_t number, mass_spring::PathEnd end, double 
 void Crawl::before_step(std::span<const double> x, std::span<const double> v, double h) noexcept {
     start_x_.assign(x.begin(), x.end());
     start_v_.assign(v.begin(), v.end());
+    const double middle = (elapsed_ + h / 2) / seconds_ * static_cast<double>(looks_);
+    if (const auto now = std::min(static_cast<std::size_t>(middle), looks_ - 1); now != look_) {
+        look_ = now;
+        look_again(x, v);
+    }
     const double at = std::min(1.0, (elapsed_ + h) / seconds_) * static_cast<double>(stretches_);
     const auto stretch = std::min(static_cast<std::size_t>(at), stretches_ - 1);
     if (stretch != stretch_) begin_stretch(stretch);
@@ -291,6 +322,7 @@ void Crawl::keep() noexcept {
 std::size_t Crawl::memory_bytes() const noexcept {
     std::size_t bytes =
         drives_.capacity() * sizeof(Drive) + start_trace_.size() * lattice_.points() * sizeof(Vec3) +
+        (look_x_.capacity() + look_v_.capacity()) * sizeof(Vec3) +
         (start_x_.capacity() + start_v_.capacity() + turned_.capacity() + laid_.capacity()) * sizeof(double);
     for (const Body& body : bodies_)
         bytes += sizeof(Body) + body.flexes.capacity() * sizeof(Flex) +

@@ -98,6 +98,7 @@ private:
     void with_ground(const F& f) noexcept;
     void find_lengths(std::uint32_t body, mass_spring::PathEnd end, double share) noexcept;
     void begin_stretch(std::size_t number) noexcept;
+    void look_again(std::span<const double> x, std::span<const double> v) noexcept;
     std::array<std::span<double>, 4> packed_trace() noexcept;
     double holds(std::size_t ring, const Body& body) const noexcept;
     template <class AnyGround>
@@ -117,12 +118,15 @@ private:
     std::vector<double> start_x_;                   // m, packed, of the step
     std::vector<double> start_v_;                   // m/s, likewise
     std::vector<double> turned_;                    // m/s, likewise: see Landing
+    std::vector<Vec3> look_x_, look_v_;             // m, m/s, scratch; empty: there is no surface
     std::vector<Drive> drives_;
     std::vector<double> laid_;   // m, springs' lengths as bodies were laid down; empty: as muscles ask for
     double seconds_ = 1;         // of the frame
     double elapsed_ = 0;         // s, of it
     std::size_t stretches_ = 1;  // of it, through each of which lengths change evenly
     std::size_t stretch_ = 0;    // the one that springs are in
+    std::size_t looks_ = 1;      // of it, at a surface, one after the other at the begin of as long a while
+    std::size_t look_ = 0;       // the last one
     Books frame_, kept_;
     std::vector<Body> bodies_;
 };

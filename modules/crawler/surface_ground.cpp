@@ -1,15 +1,33 @@
 #include "surface_ground.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace orbweaver::crawler {
 
-void SurfaceGround::look(std::span<const Vec3> x, std::span<const Vec3> v, double time) {
+template <class Wants>
+void SurfaceGround::look_where(const Wants& wants, std::span<const Vec3> x, std::span<const Vec3> v,
+                               double time) noexcept {
     constexpr std::size_t kGrain = 64;
     auto range = [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) planes_[i] = plane_for(x[i], v[i], time);
+        for (std::size_t i = begin; i < end; ++i)
+            if (wants(i)) planes_[i] = plane_for(x[i], v[i], time);
     };
     workers_ != nullptr ? workers_->for_each_range(x.size(), kGrain, range) : range(0, x.size());
+}
+
+void SurfaceGround::look(std::span<const Vec3> x, std::span<const Vec3> v, double time) noexcept {
+    look_where([](std::size_t) { return true; }, x, v, time);
+}
+
+void SurfaceGround::look_again(std::span<const Vec3> x, std::span<const Vec3> v, double time) noexcept {
+    constexpr double kNear = 0.25, kWays = 2;
+    look_where(
+        [&](std::size_t i) {
+            const double above = -touch(x[i], i).depth;
+            return !std::isfinite(above) || above < kNear * near_ + kWays * time * norm(v[i]);
+        },
+        x, v, time);
 }
 
 // What is nearest, unless the point flies so fast that it would get past that: then what it flies into.

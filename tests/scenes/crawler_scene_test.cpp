@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
@@ -104,6 +105,25 @@ TEST_CASE("a run of crawlers that is saved and gone on from ends in the state an
             CHECK(crawlers_in(rest)[0]["measures"][measure] == crawlers_in(all)[0]["measures"][measure]);
         }
     }
+}
+
+TEST_CASE("a snake winds along the back of a bunny, as the README has it", "[scene]") {
+    const Folder folder("crawler_bunny");
+    const std::string scene = folder.write(
+        "bunny.toml",
+        "[surface]\nmesh = \"" ORBWEAVER_MESHES
+        "/stanford-bunny.obj\"\nsize = \"2 m\"\n[[crawler]]\n"
+        "kind = \"snake\"\nposition = [-0.05, 1.8, 0.14]\nseek.point = [0.6, 1.3, 0.1]\nadhesion = 2\n"
+        "friction = { forward = 0.6, backward = 1.2, sideways = 2 }\n");
+    const std::string bake = std::string(ORBWEAVER_ASSETS_PROGRAM) + " bake '" + scene + "' > /dev/null 2>&1";
+    REQUIRE(std::system(bake.c_str()) == 0);
+    const json report = report_of_run(scene + " --duration " + (kSanitized ? "0.1" : "8"));
+    const json measures = crawlers_in(report)[0]["measures"];
+    CHECK(measures["points_on_ground"] > 30);
+    CHECK(measures["unexplained_share"] < 1e-3);
+    if (kSanitized) return;
+    CHECK(measures["lengths_per_cycle"] > 0.1);
+    CHECK(measures["lift_gain_j"] < 0.001 * measures["work_in_j"].get<double>());
 }
 
 TEST_CASE("books that a step too long leaves open are warned of, and waves that steps do not resolve",

@@ -265,7 +265,7 @@ TEST_CASE("crawlers hold, substep, refuse or stop in words in every extreme case
         {"dropped from 10 m",   "CCCCCCCCCC", "CCCCCCCCCC", kFine, lift, 3, 2e-4, kFrame, {0, -13.97, 0}},
         {"dropped from 10 cm",  "HHHHHHHHHH", "HHHHHHHHHH", kFine, lift, 10, 2e-4, kFrame, {0, -0.99, 0}},
         {"upside down",         "HHHHHHHHHH", "HHHHHHHHHH", kFine, turn_over},
-        {"pressed into a corner","HHHHHHHHHE", "HHHHHHHHHE", kFine, corner, 6, 2e-4, kFrame, {0.15, 0, 0.15}, true},
+        {"pressed into a corner","HHHHHHHHHH", "HHHHHHHHHH", kFine, corner, 6, 2e-4, kFrame, {0.15, 0, 0.15}, true},
         {"friction 0",          "HHHHHHHHHH", "HHHHHHHHHH", kFine, friction_of(0)},
         {"friction 1e9",        "HHHHHHHHEH", "HHHHHHHHEH", kStiff, friction_of(1e9)},
         {"one_way",             "HHHHHHHHHH", "HHHHHHHHHH", kFine, slide_one_way},

@@ -278,6 +278,22 @@ TEST_CASE("who is laid down in a hollow begins out of the ground, which throws n
     CHECK(snake.measure("mean_speed_m_s") < 0.05);
 }
 
+// Points that looked but once a frame slid through edges of faces, and were lifted out at the next one.
+TEST_CASE("a snake over hills is hardly lifted, however long its frames", "[unit]") {
+    if (kSanitized) return;
+    const char* step = GENERATE("1/60 s", "1/240 s");
+    const Opened snake(std::string("[scene]\nstep = \"") + step +
+                       "\"\n[surface]\nshape = \"height_field\"\nsize = \"1.2 m\"\nsubdivision = 24\n"
+                       "[[crawler]]\nkind = \"snake\"\nposition = [-0.2, 0.04, 0.08]\nheading = [1, 0, 0.1]\n");
+    const double frames = 2 / snake.plan.scene.step;
+    for (int i = 0; i < frames; ++i) snake.session->step();
+    const double work = snake.measure("work_in_j");
+    CHECK(work > 0.1);
+    CHECK(snake.measure("lift_gain_j") < 0.015 * work);
+    CHECK(std::abs(snake.measure("impact_loss_j")) < 0.01 * work);
+    CHECK(snake.measure("unexplained_share") < 1e-3);
+}
+
 TEST_CASE("a body in the air without gravity goes nowhere: muscles push on nothing", "[unit]") {
     const Opened worm("[scene]\ngravity = [0, 0, 0]\n" + kWorm + "height = \"1 m\"\n");
     worm.run(2);
