@@ -87,23 +87,26 @@ ORBWEAVER_INLINE Vec3Lanes laid_across(const Vec3Lanes& spine, const Vec3Lanes& 
 
 /// Four points after a step of h seconds.
 struct Landing {
-    Vec3Lanes x, v;         ///< m, m/s
-    Vec3Lanes start;        ///< m, before the step
-    Vec3Lanes start_v;      ///< m/s
-    Vec3Lanes pressed;      ///< m/s, what the ground's reaction gave them during the step
-    Vec3Lanes turned;       ///< m/s, what the ground gave them at the end of the step before, after their way
-    Vec3Lanes spine;        ///< along their body, of any length
-    Lanes holds;            ///< m/s, what it takes to tear them off
-    double allowance = 0;   ///< m, deep in the ground within which they may stay
-    Vec3 weighed;           ///< m/s, what gravity gives them in a step
-    double lag = 0;         ///< of the method (see MethodInfo), where its forces act where steps begin; else 0
-    double damped_lag = 0;  ///< likewise, where springs are damped; else 0
+    Vec3Lanes x, v;        ///< m, m/s
+    Vec3Lanes start;       ///< m, before the step
+    Vec3Lanes start_v;     ///< m/s
+    Vec3Lanes pressed;     ///< m/s, what the ground's reaction gave them during the step
+    Vec3Lanes turned;      ///< m/s, what the ground gave them at the end of the step before, after their way
+    Vec3Lanes spine;       ///< along their body, of any length
+    Lanes holds;           ///< m/s, what it takes to tear them off
+    double allowance = 0;  ///< m, deep in the ground within which they may stay
+    Vec3 weighed;          ///< m/s, what gravity gives them in a step
+    double lag = 0;        ///< of the method (see MethodInfo), where its forces act where steps begin; else 0
+    double velocity_lag = 0;  ///< of the method
+    bool are_damped = false;  ///< their springs are
 };
 
 /// Per kg, and what goes with it; of each lane.
 struct LandingBooks {
     Lanes friction{}, impact{}, slip{}, contacts{};
-    Lanes lift{};     ///< less of impact, what the ground gave by lifting them
+    /// Less of impact, what the ground gave by lifting them, one step late in part. A reaction that ceases at
+    /// once counts too.
+    Lanes lift{};
     Lanes damping{};  ///< what springs' damping took as falls ended
     Lanes lagging{};  ///< of the work in friction and impact, what a method's lag put there
 
@@ -124,8 +127,8 @@ struct LandingBooks {
 ///
 /// What presses during a step works on its way, and an impulse on the mean of the velocities before and after
 /// it. Where forces act where a step begins, they work half on the way before and half on the way after: the
-/// reaction works on the mean of its velocities then, what turns a point between the ways has half of what all
-/// else gives it on its side, and what lifts it, which is part of the way before, half of what that gave.
+/// reaction works on the mean of its velocities then. Energy is kept with velocities as they are at the time of
+/// positions: what turns or lifts a point there has its part of what all else gives it in the step.
 ORBWEAVER_INLINE void meet_ground(const Touches& touch, const LaneBits& are_on, const Friction& friction,
                                   double h, Landing& points, LandingBooks& books) noexcept {
     const Vec3Lanes n = touch.normal, moved = points.x - points.start;
@@ -149,22 +152,24 @@ ORBWEAVER_INLINE void meet_ground(const Touches& touch, const LaneBits& are_on, 
     const Lanes share = pressing > Lanes{} ? -given_up / pressing : in_all(1);
     const Lanes lasting = larger_of(Lanes{}, share < 1 ? share : in_all(1));
     // What ended a fall turned them by more than the ground presses by since. It stopped at once what springs
-    // then brake, unstrained as yet: what they gave them in the step is damping's.
+    // then brake, unstrained as yet: what they gave them in the step is damping's, to first order.
     const Vec3& weighed = points.weighed;
     const Lanes braked = given_up - (weighed.x * n.x + weighed.y * n.y + weighed.z * n.z);
-    const Lanes fell_lag = points.damped_lag * braked * larger_of(Lanes{}, turned_up - absolute(pressed));
-    const double lag = points.lag;
+    const Lanes fell = larger_of(Lanes{}, turned_up - absolute(pressed));
+    const double lag = points.lag, turned_lag = points.velocity_lag;
+    const Lanes fell_lag = points.are_damped ? turned_lag * braked * fell : Lanes{};
     const Vec3Lanes speed = moved * in_all(1 / h);                      // of the way
     const Vec3Lanes later = points.start_v + points.v - speed - speed;  // twice what the mean velocity has more
-    const Lanes held_lag = lag * (dot(given, points.turned - n * turned_up) + dot(held, later));
+    const Lanes held_lag = turned_lag * dot(given, points.turned - n * turned_up) + lag * dot(held, later);
     const Lanes lifted_by = are_on ? lift : Lanes{};
-    const Lanes pressed_lag = lag * (given_up * (turned_up + lifted_by) + pressed * dot(later, n)) - fell_lag;
+    const Lanes pressed_lag =
+        turned_lag * given_up * (turned_up + lifted_by) + lag * pressed * dot(later, n) - fell_lag;
     const Lanes slide_work = 0.5 * (dot(slides, slides) - dot(along, along));
     const Lanes landing_work = 0.5 * (left * left - into * into) - given_up * lift;
     const Vec3Lanes slip = moved - n * dot(moved, n);
     books.friction -= dot(held, speed) + held_lag + (are_on ? slide_work : Lanes{});
     books.impact -= pressed * dot(speed, n) + pressed_lag + (are_on ? landing_work : Lanes{});
-    books.lift -= given_up * ((1 - lag) * lifted_by + lag * larger_of(Lanes{}, -turned_up));
+    books.lift -= given_up * ((1 - turned_lag) * lifted_by + turned_lag * larger_of(Lanes{}, -turned_up));
     books.damping -= fell_lag;
     books.lagging += held_lag + pressed_lag;
     books.slip += are_on ? mass_spring::sqrt(dot(slip, slip)) : Lanes{};

@@ -62,7 +62,8 @@ Books& Books::operator+=(const Books& o) noexcept {
 }
 
 Crawl::Crawl(mass_spring::SpringSystem& system, const Lattice& lattice, const Build& build, const Waves& waves,
-             const Friction& friction, Ground ground, const StepTrace& trace, double lag, Workers* workers)
+             const Friction& friction, Ground ground, const StepTrace& trace,
+             const mass_spring::MethodInfo& method, Workers* workers)
     : system_(&system),
       lattice_(lattice),
       build_(build),
@@ -70,7 +71,7 @@ Crawl::Crawl(mass_spring::SpringSystem& system, const Lattice& lattice, const Bu
       friction_(friction),
       ground_(std::move(ground)),
       workers_(workers),
-      lag_(lag),
+      method_(&method),
       trace_{trace.reaction, trace.turned, trace.x, trace.v},
       start_x_(system.length()),
       start_v_(system.length()),
@@ -104,7 +105,7 @@ template <class F>
 void Crawl::with_ground(const F& f) noexcept {
     if (const auto* floor = std::get_if<Floor>(&ground_)) f(*floor);
     if (const auto* cliff = std::get_if<Cliff>(&ground_)) f(*cliff);
-    if (const auto* surface = std::get_if<SurfaceGround>(&ground_)) f(*surface);
+    if (SurfaceGround* surface = surface_ground()) f(*surface);
 }
 
 // Out of one face it may be into the next.
@@ -112,7 +113,7 @@ void Crawl::lift_out(std::span<Vec3> x) {
     constexpr int kPasses = 4;
     const std::vector<Vec3> still(x.size());
     for (int pass = 0; pass < kPasses; ++pass) {
-        if (auto* surface = std::get_if<SurfaceGround>(&ground_)) surface->look(x, still, 0);
+        if (SurfaceGround* surface = surface_ground()) surface->look(x, still, 0);
         with_ground([&](const auto& ground) {
             for (std::size_t i = 0; i < x.size(); ++i) {
                 const Touch touch = ground.touch(x[i], i);
@@ -134,25 +135,25 @@ void Crawl::begin_frame(std::span<const Drive> drives, std::span<const Vec3> x, 
     stretches_ = count_stretches(waves_.form(), drives);
     seconds_ = seconds;
     for (std::size_t i = 0; i < trace_.size(); ++i) start_trace_[i].assign(trace_[i].begin(), trace_[i].end());
-    if (auto* surface = std::get_if<SurfaceGround>(&ground_)) {
+    if (SurfaceGround* surface = surface_ground()) {
         looks_ = count_looks(v, seconds, build_.width);
-        surface->look(x, v, seconds / static_cast<double>(looks_));
+        surface->look(x, v, seconds);
         surface->mark();
     }
 }
 
 void Crawl::look_again(std::span<const double> x, std::span<const double> v) noexcept {
-    auto* surface = std::get_if<SurfaceGround>(&ground_);
+    SurfaceGround* surface = surface_ground();
     if (surface == nullptr) return;
     system_->packing().unpack(x, look_x_);
     system_->packing().unpack(v, look_v_);
-    surface->look_again(look_x_, look_v_, seconds_ / static_cast<double>(looks_));
+    surface->look_again(look_x_, look_v_, seconds_ - elapsed_);
 }
 
 void Crawl::rewind() noexcept {
     elapsed_ = 0;
     look_ = 0;
-    if (auto* surface = std::get_if<SurfaceGround>(&ground_)) surface->rewind();
+    if (SurfaceGround* surface = surface_ground()) surface->rewind();
     frame_ = {};
     for (Body& body : bodies_) {
         body.frame = {};
@@ -205,7 +206,7 @@ void Crawl::before_step(std::span<const double> x, std::span<const double> v, do
     const double at = std::min(1.0, (elapsed_ + h) / seconds_) * static_cast<double>(stretches_);
     const auto stretch = std::min(static_cast<std::size_t>(at), stretches_ - 1);
     if (stretch != stretch_) begin_stretch(stretch);
-    const mass_spring::DriveWork done = system_->drive(x, v, at - static_cast<double>(stretch), lag_);
+    const mass_spring::DriveWork done = system_->drive(x, v, at - static_cast<double>(stretch), method_->lag);
     frame_.muscles += done.work;
     frame_.damping += done.damping;
 }
@@ -239,7 +240,8 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t number, std::span<double
         body.middles[ring] = 0.25 * Vec3{sum(at.x), sum(at.y), sum(at.z)};
     }
     const double near = kNear * build_.width, reach = kReach * build_.width, mass = build_.point_mass();
-    const double lag = std::max(lag_, 0.0);
+    const double lag = std::max(method_->lag, 0.0);
+    const Vec3 weighed = h * system_->gravity();
     double* const reactions = system_->hook_forces().data();
     LandingBooks books;
     run_wide([&]() ORBWEAVER_ALWAYS_INLINE {
@@ -256,20 +258,22 @@ void Crawl::meet(const AnyGround& ground, std::uint32_t number, std::span<double
             const LaneBits is_near = touch.depth > (hold > Lanes{} ? in_all(-reach) : in_all(-near));
             const LaneBits are_on = is_near & (was_pressed | (hold > Lanes{}) | (touch.depth > Lanes{}));
             const Vec3 spine = spine_at(body.middles, one), next = spine_at(body.middles, other);
-            Landing points{place,
-                           four.get_vectors(v.data()),
-                           four.get_vectors(start_x_.data()),
-                           four.get_vectors(start_v_.data()),
-                           reaction * in_all(h / mass),
-                           four.get_vectors(turned_.data()),
-                           Vec3Lanes{{spine.x, spine.x, next.x, next.x},
+            Landing points{};
+            points.x = place;
+            points.v = four.get_vectors(v.data());
+            points.start = four.get_vectors(start_x_.data());
+            points.start_v = four.get_vectors(start_v_.data());
+            points.pressed = reaction * in_all(h / mass);
+            points.turned = four.get_vectors(turned_.data());
+            points.spine = Vec3Lanes{{spine.x, spine.x, next.x, next.x},
                                      {spine.y, spine.y, next.y, next.y},
-                                     {spine.z, spine.z, next.z, next.z}},
-                           h * hold,
-                           near,
-                           h * system_->gravity(),
-                           lag,
-                           build_.damping > 0 ? lag : 0};
+                                     {spine.z, spine.z, next.z, next.z}};
+            points.holds = h * hold;
+            points.allowance = near;
+            points.weighed = weighed;
+            points.lag = lag;
+            points.velocity_lag = method_->velocity_lag;
+            points.are_damped = build_.damping > 0;
             LandingBooks here;
             meet_ground(touch, are_on, friction_, h, points, here);
             books.add(here, one != other);

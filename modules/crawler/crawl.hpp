@@ -8,6 +8,7 @@
 #include "gait.hpp"
 #include "ground.hpp"
 #include "lattice.hpp"
+#include "mass_spring/method.hpp"
 #include "mass_spring/spring_system.hpp"
 #include "mass_spring/step_hooks.hpp"
 #include "muscles.hpp"
@@ -55,9 +56,10 @@ struct StepTrace {
 class Crawl final : public mass_spring::StepHooks {
 public:
     /// `system` is of the lattice's network as `build` makes it, has these hooks from then on, and outlives
-    /// them. `lag` is that of the method (see MethodInfo).
+    /// them and `method`, which integrates it.
     Crawl(mass_spring::SpringSystem& system, const Lattice& lattice, const Build& build, const Waves& waves,
-          const Friction& friction, Ground ground, const StepTrace& trace, double lag, Workers* workers);
+          const Friction& friction, Ground ground, const StepTrace& trace,
+          const mass_spring::MethodInfo& method, Workers* workers);
 
     /// Puts points of x (m) that are below the ground onto it.
     void lift_out(std::span<Vec3> x);
@@ -96,6 +98,7 @@ private:
     void for_each_body(const F& f) noexcept;
     template <class F>
     void with_ground(const F& f) noexcept;
+    SurfaceGround* surface_ground() noexcept { return std::get_if<SurfaceGround>(&ground_); }
     void find_lengths(std::uint32_t body, mass_spring::PathEnd end, double share) noexcept;
     void begin_stretch(std::size_t number) noexcept;
     void look_again(std::span<const double> x, std::span<const double> v) noexcept;
@@ -112,7 +115,7 @@ private:
     Friction friction_;
     Ground ground_;
     Workers* workers_;
-    double lag_;                                    // steps
+    const mass_spring::MethodInfo* method_;
     std::array<std::span<Vec3>, 4> trace_;          // state
     std::array<std::vector<Vec3>, 4> start_trace_;  // of the frame
     std::vector<double> start_x_;                   // m, packed, of the step
@@ -125,8 +128,8 @@ private:
     double elapsed_ = 0;         // s, of it
     std::size_t stretches_ = 1;  // of it, through each of which lengths change evenly
     std::size_t stretch_ = 0;    // the one that springs are in
-    std::size_t looks_ = 1;      // of it, at a surface, one after the other at the begin of as long a while
-    std::size_t look_ = 0;       // the last one
+    std::size_t looks_ = 1;      // at a surface in it, evenly apart
+    std::size_t look_ = 0;       // which of them was the last one
     Books frame_, kept_;
     std::vector<Body> bodies_;
 };

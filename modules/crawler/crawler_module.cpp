@@ -82,12 +82,8 @@ public:
     void restored() override {
         read_pilots();
         crawl_->set_books(account_.books);
-        for (std::uint32_t body = 0; body < lattice_.bodies; ++body) {
-            look_at(body);
-            drives_[body] = hold(crawler_, pilots_[body], account_.now);
-        }
-        crawl_->begin_frame(drives_, position_, velocity_, frame_step_);
-        crawl_->rewind();
+        for (std::uint32_t body = 0; body < lattice_.bodies; ++body) look_at(body);
+        stand();
     }
 
     void report(ModuleReport& report) override {
@@ -97,6 +93,7 @@ public:
         report.has_error = true;
         report.error = {simulation_->error_estimate(), "m", simulation_->error_method(),
                         simulation_->error_seconds()};
+        stand();
         report_body(report);
         report_motion(report);
         report_energy(report);
@@ -128,6 +125,14 @@ public:
     }
 
 private:
+    /// Springs and ground become those of this moment, whatever was tried since.
+    void stand() {
+        for (std::uint32_t body = 0; body < lattice_.bodies; ++body)
+            drives_[body] = hold(crawler_, pilots_[body], account_.now);
+        crawl_->begin_frame(drives_, position_, velocity_, frame_step_);
+        crawl_->rewind();
+    }
+
     void make_state(Host& host, const std::vector<Vec3>& places) {
         StateStore& state = host.state();
         const std::size_t count = lattice_.points();
@@ -150,7 +155,7 @@ private:
         system_->use_linear_solver(crawler_.linear_solver);
         crawl_.emplace(*system_, lattice_, crawler_.build,
                        Waves(*crawler_.gait, crawler_.form, crawler_.waves, lattice_.segments),
-                       crawler_.friction, std::move(ground), trace_, crawler_.settings.method->lag, workers_);
+                       crawler_.friction, std::move(ground), trace_, *crawler_.settings.method, workers_);
         drives_.resize(lattice_.bodies);
         pilots_.resize(lattice_.bodies);
         centers_.resize(lattice_.bodies);
@@ -196,7 +201,7 @@ private:
     /// against it, so that it has up to twice that stiffness, and it is stable up to h omega = 2: steps may be
     /// sqrt(1/2) of those.
     void choose_step() {
-        constexpr double kShare = 0.7;
+        constexpr double kShare = 0.7, kForever = std::numeric_limits<double>::infinity();
         // All bodies are alike.
         const Lattice one{1, lattice_.segments};
         const mass_spring::Network network = make_network(one, crawler_.build);
@@ -204,10 +209,11 @@ private:
         springs.set_surroundings({gravity_, crawler_.drag, {}});
         const auto stable = [&](const mass_spring::MethodInfo& method) {
             const double step = advise(springs, body_points(0), method).stable_step;
-            return step > 0 ? step : std::numeric_limits<double>::infinity();
+            return step > 0 ? step : kForever;
         };
-        const double step =
-            std::min(stable(*crawler_.settings.method), stable(*mass_spring::find_method("symplectic_euler")));
+        const mass_spring::MethodInfo* method = crawler_.settings.method;
+        const mass_spring::MethodInfo* common = mass_spring::find_method("symplectic_euler");
+        const double step = std::min(stable(*common), method == common ? kForever : stable(*method));
         if (std::isfinite(step)) crawler_.settings.step = kShare * step;
     }
 
@@ -320,12 +326,12 @@ private:
     double kept_energy() const {
         double energy = system_->energy(position_, velocity_).total();
         const mass_spring::MethodInfo& method = *crawler_.settings.method;
-        const double h = simulation_->substep(), turned_lag = std::max(method.lag, 0.0);
+        const double ahead = method.velocity_lag * simulation_->substep();
         std::vector<Vec3> force(position_.size());
         system_->forces(position_, velocity_, force);
         for (std::size_t i = 0; i < force.size(); ++i) {
-            const Vec3 given = h * (force[i] - system_->external_force(i));
-            energy += dot(given, method.velocity_lag * velocity_[i] - turned_lag * trace_.turned[i]);
+            const Vec3 given = force[i] - system_->external_force(i);
+            energy += ahead * dot(given, velocity_[i] - trace_.turned[i]);
         }
         return energy;
     }
@@ -357,11 +363,13 @@ private:
         constexpr double kMuch = 0.1, kNothing = 1e-3;
         const double weight = lattice_.bodies * crawler_.build.mass * norm(gravity_);
         if (!(share > kMuch) || !(std::abs(rest) > kNothing * weight * crawler_.build.width)) return;
+        const std::string_view method = crawler_.settings.method->name;
         crawler_.settings.warn(fmt::format(
             "{:.3g} J of the crawlers' energy, {:.0f} % of what muscles did and motion changed by, "
-            "are unexplained: steps of {:.3g} s are too long for '{}'; ask for a shorter 'step', or "
-            "for symplectic_euler, whose books close best",
-            std::abs(rest), 100 * share, simulation_->substep(), crawler_.settings.method->name));
+            "are unexplained: steps of {:.3g} s of '{}' do not resolve what happened; ask for a "
+            "shorter 'step'{}",
+            std::abs(rest), 100 * share, simulation_->substep(), method,
+            method == "symplectic_euler" ? "" : ", or for symplectic_euler, whose books close best"));
     }
 
     std::string describe_spring(std::size_t i) const {

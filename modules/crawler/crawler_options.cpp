@@ -72,23 +72,36 @@ void read_settings(const Options& options, Crawler& into) {
     into.linear_solver = linear_solver_named(options.text("linear_solver"));
 }
 
+bool is_steered(const Options& options, const Crawler& crawler) {
+    return crawler.seek || crawler.path || options.flag("keys") ||
+           std::any_of(crawler.script.begin(), crawler.script.end(),
+                       [](const TimedCommand& each) { return each.command.turn != 0; });
+}
+
+/// 1/m, sharpest of all that a gait bends them to, steering apart.
+double sharpest_bend(const Crawler& crawler) {
+    const double side = crawler.gait->bends ? crawler.effort.bend : 0,
+                 up = crawler.gait->lifts ? crawler.effort.lift : 0;
+    const bool apart = crawler.form == WaveForm::sine && crawler.gait->lift_later != 0;  // a quarter of a wave
+    return apart ? std::hypot(side, up) : side + up;
+}
+
 /// Muscles may not ask a bend's inside for less than no length, where bends are sharpest and segments shortest.
 void check_shapes(const Options& options, const Crawler& crawler, Diagnostics& faults) {
-    const Effort& effort = crawler.effort;
-    const double length = crawler.build.length, strain = crawler.gait->strains ? effort.strain : 0;
+    const double length = crawler.build.length, strain = crawler.gait->strains ? crawler.effort.strain : 0;
     const double width = crawler.build.width / (crawler.build.keeps_volume ? std::sqrt(1 - strain) : 1);
-    const double curvature =
-        effort.turn + (crawler.gait->bends ? effort.bend : 0) + (crawler.gait->lifts ? effort.lift : 0);
+    const double turn = is_steered(options, crawler) ? crawler.effort.turn : 0;
     const double most = 2 * (1 - strain) / width;
-    if (curvature < most) return;
-    const char* key = "width";
-    for (const char* each : {"strain", "turn", "lift", "bend"})
-        if (options.given(each)) key = each;
-    faults.push_back({options.where(key), "muscles would fold over what is inside of bends",
-                      fmt::format("'bend', 'lift' and 'turn' of the gait of less than {:.3g} together, where "
-                                  "segments shorten by {:.3g}",
-                                  most * length, strain),
-                      "ask for less of them, or a thinner body"});
+    if (sharpest_bend(crawler) + turn < most) return;
+    const char* key = turn > 0 ? "turn" : "width";
+    if (crawler.gait->lifts) key = "lift";
+    if (crawler.gait->bends) key = "bend";
+    faults.push_back(
+        {options.where(key), "muscles would fold over what is inside of bends",
+         fmt::format("bends and turns of less than {:.3g} together, as curvatures over one length{}",
+                     most * length,
+                     strain > 0 ? fmt::format(", where segments shorten by {:.3g}", strain) : ""),
+         "ask for less of them, or a thinner body"});
 }
 
 /// Two goals at once, and waves that the segments do not resolve.
@@ -149,7 +162,8 @@ private:
 
     void lie_on_floor(Pose at, std::vector<Vec3>& points) const {
         at.middle.y = options_.number("floor");
-        if (options_.has("cliff.edge") && at.middle.x > options_.number("cliff.edge"))
+        const double reach = crawler_.build.length / 2 * std::abs(at.forward.x) + crawler_.build.width;
+        if (options_.has("cliff.edge") && at.middle.x - reach > options_.number("cliff.edge"))
             at.middle.y -= options_.number("cliff.drop");
         for (std::uint32_t ring = 0; ring <= crawler_.build.segments; ++ring)
             add({at.middle + (crawler_.build.segment() * ring - crawler_.build.length / 2) * at.forward,

@@ -21,11 +21,12 @@ void SurfaceGround::look(std::span<const Vec3> x, std::span<const Vec3> v, doubl
 }
 
 void SurfaceGround::look_again(std::span<const Vec3> x, std::span<const Vec3> v, double time) noexcept {
+    // A point that does not fly saw what is nearest: it is no nearer to anything else.
     constexpr double kNear = 0.25, kWays = 2;
     look_where(
         [&](std::size_t i) {
-            const double above = -touch(x[i], i).depth;
-            return !std::isfinite(above) || above < kNear * near_ + kWays * time * norm(v[i]);
+            const double above = -touch(x[i], i).depth, way = time * norm(v[i]);
+            return !std::isfinite(above) || way > kNear * near_ || above < kNear * near_ + kWays * way;
         },
         x, v, time);
 }

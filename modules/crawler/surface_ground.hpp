@@ -25,9 +25,9 @@ public:
 
     /// All points look, at x (m) with v (m/s), as far as they may get in `time` s.
     void look(std::span<const Vec3> x, std::span<const Vec3> v, double time) noexcept;
-    /// The same of those that are near to what they saw last, or saw nothing.
+    /// The same of those that may get to the surface in that time, by what they saw last.
     void look_again(std::span<const Vec3> x, std::span<const Vec3> v, double time) noexcept;
-    /// What they see now is what rewind() brings back.
+    /// What they see now is what rewind() brings back; before the first one it brings back nothing.
     void mark() { marked_ = planes_; }
     void rewind() noexcept { std::copy(marked_.begin(), marked_.end(), planes_.begin()); }
     Touch touch(const Vec3& p, std::size_t point) const noexcept {

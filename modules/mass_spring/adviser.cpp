@@ -115,7 +115,8 @@ struct Mode {
     std::vector<Vec3> shape;  ///< mass-scaled, unit length
 };
 
-/// `stiffest`: rad/s, beside which bodies that move as a whole swing by rounding alone.
+/// `stiffest`: rad/s, of the whole system. Bodies that move as a whole swing by what rounding of their places
+/// strains them: far slower than that, unless they are as far off as a billion of their sizes.
 Mode mode_of(ScaledTangent& tangent, EigenPair pair, const MethodInfo& method, double radius, double stiffest) {
     constexpr double kRounding = 1e-7;
     if (pair.vector.empty()) return {};

@@ -16,8 +16,7 @@ EnergyBalance balance_energy(const SpringSystem& system, const Energy& before, s
 
     EnergyBalance balance;
     balance.gain = after.total() - before.total() - work;
-    balance.turnover =
-        before.kinetic + after.kinetic + (hooks != nullptr ? hooks->turnover() : std::abs(work));
+    balance.turnover = before.kinetic + after.kinetic + (hooks != nullptr ? hooks->turnover() : std::abs(work));
     balance.rounding =
         kRounding * (before.elastic + after.elastic + std::abs(before.potential) + std::abs(after.potential));
     if (!std::isfinite(balance.gain)) balance.gain = std::numeric_limits<double>::infinity();

@@ -8,9 +8,7 @@ namespace orbweaver::mass_spring {
 
 std::span<const MethodInfo> methods() noexcept {
     static constexpr std::array<MethodInfo, 11> table{{
-        // name, order, embedded order, evaluations, make, whether springs must not be damped, resonance, judge,
-        // lag,
-        // velocity_lag
+        // As MethodInfo has them.
         {"explicit_euler", 1, 0, 1, make_explicit_euler, false, 0, {}, 0.5, -0.5},
         {"symplectic_euler", 1, 0, 1, make_symplectic_euler, false, 0, {}, 0.5, 0.5},
         {"verlet", 2, 0, 2, make_verlet},

@@ -42,8 +42,8 @@ struct Network {
     std::vector<double> mass;         ///< kg, > 0, one per particle
     std::vector<std::uint8_t> fixed;  ///< 1: the particle keeps its position
     std::vector<Spring> springs;
-    bool driven = false;  ///< rest lengths change as time goes on (see SpringSystem::drive()); particles are then
-                          ///< packed as they are numbered
+    bool driven = false;  ///< rest lengths change as time goes on (see SpringSystem::drive()); particles are
+                          ///< then packed as they are numbered
 
     std::size_t size() const noexcept { return mass.size(); }
 };

@@ -164,7 +164,7 @@ public:
     void project_springs(std::span<const double> start, std::span<double> x, double h) const noexcept override;
     void limit_strain(std::span<double> x, double strain) const noexcept override;
 
-    /// However the particles may stand.
+    /// However the particles may stand; found when first asked for, and not by several threads at once.
     const SpectralBound& spectral_bound() const;
     Tension tension(std::size_t spring, double length) const noexcept;  ///< with its arm
     Vec3 external_force(std::size_t particle) const noexcept;           ///< N
@@ -177,8 +177,6 @@ public:
     /// out = -(df/dx) u at x: the tangent stiffness, geometric part included; zero rows and columns for
     /// fixed particles.
     void apply_stiffness(std::span<const Vec3> x, std::span<const Vec3> u, std::span<Vec3> out) const noexcept;
-    /// out = -(df/dv) u at x: spring damping and drag; zero rows and columns for fixed particles.
-    void apply_damping(std::span<const Vec3> x, std::span<const Vec3> u, std::span<Vec3> out) const noexcept;
 
     /// Other kernels than the best, to compare them; the bits are the same.
     void use_kernels(const SpringKernels& kernels) noexcept { kernels_ = &kernels; }

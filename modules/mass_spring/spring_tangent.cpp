@@ -35,18 +35,4 @@ void SpringSystem::apply_stiffness(std::span<const Vec3> x, std::span<const Vec3
     }
 }
 
-void SpringSystem::apply_damping(std::span<const Vec3> x, std::span<const Vec3> u,
-                                 std::span<Vec3> out) const noexcept {
-    for (std::size_t i = 0; i < size(); ++i) {
-        out[i] = network_->fixed[i] != 0 ? Vec3{} : drag_ * u[i];
-    }
-    for (const Spring& s : network_->springs) {
-        const Vec3 l = x[s.a] - x[s.b];
-        const double squared = dot(l, l);
-        if (s.damping == 0 || squared == 0) continue;
-        const Vec3 du = difference(*network_, s, u);
-        add_pair(*network_, s, l * (s.damping * dot(l, du) / squared), out);
-    }
-}
-
 }  // namespace orbweaver::mass_spring

@@ -63,7 +63,8 @@ void crawling(benchmark::State& state) {
     Crawl crawl(worms.system, worms.lattice, worms.build,
                 Waves(*find_gait("rectilinear"), WaveForm::sine, 2, worms.build.segments),
                 {FrictionLaw::coulomb, 0.1, 0.4, 0.3, 0}, Floor{0},
-                {worms.reaction, worms.turned, worms.step_x, worms.step_v}, 0.5, nullptr);
+                {worms.reaction, worms.turned, worms.step_x, worms.step_v},
+                *mass_spring::find_method("symplectic_euler"), nullptr);
     Drive drive;
     drive.effort = {Effort{0.15, 0, 0, 0}, Effort{0.15, 0, 0, 0}};
     const std::vector<Drive> still(worms.lattice.bodies, drive);

@@ -27,7 +27,7 @@ struct Point {
 
 struct Met {
     Vec3 x, v, pressed;
-    double friction = 0, impact = 0, slip = 0, contacts = 0;
+    double friction = 0, impact = 0, slip = 0, contacts = 0, lift = 0;
 };
 
 /// The point in one lane, others in the other ones, all in a frame of their own: the floor's normal is any.
@@ -55,9 +55,14 @@ Met meet(const Point& point, const Friction& friction, bool is_on = true, std::s
     }
     LandingBooks books;
     meet_ground(touch, are_on, friction, kStep, landing, books);
-    return {back(lane(landing.x, at)), back(lane(landing.v, at)), back(lane(landing.pressed, at)),
-            books.friction[at],        books.impact[at],          books.slip[at],
-            books.contacts[at]};
+    return {back(lane(landing.x, at)),
+            back(lane(landing.v, at)),
+            back(lane(landing.pressed, at)),
+            books.friction[at],
+            books.impact[at],
+            books.slip[at],
+            books.contacts[at],
+            books.lift[at]};
 }
 
 const Friction kScales{FrictionLaw::coulomb, 0.1, 0.4, 0.2};
@@ -142,6 +147,7 @@ TEST_CASE("a point that falls is put onto the ground, and stops there for good",
     CHECK(met.pressed.x == Approx(-0.1 * 0.01).epsilon(1e-9));
     // What it had, less what it was lifted by, against its weight.
     CHECK(met.impact == Approx(0.5 * 1 - 10 * 0.000599).epsilon(1e-9));
+    CHECK(met.lift == Approx(10 * 0.000599).epsilon(1e-9));
     CHECK(met.friction == Approx(0.5 * (0.3 * 0.3 - 0.2 * 0.2)).epsilon(1e-9));
     CHECK(met.slip == Approx(0.0003).epsilon(1e-9));
     CHECK(met.contacts == 1);
@@ -276,7 +282,9 @@ TEST_CASE("where forces act where steps begin, books are of the energy that leap
     points.v = {Lanes{0.1, -0.2, 0.3, 0}, Lanes{-1, 0.3, -0.2, 0}, Lanes{0, 0.3, 0, 0.1}};
     points.spine = {in_all(1), Lanes{}, Lanes{}};
     points.allowance = kAllowance;
-    points.lag = 0.5;
+    points.weighed = {0, -1e-3, 0};
+    points.lag = points.velocity_lag = 0.5;
+    points.are_damped = true;
     const Lanes start = kept(points.x, points.v);
     LandingBooks books;
     for (int step = 0; step < 300; ++step) {
@@ -297,4 +305,5 @@ TEST_CASE("where forces act where steps begin, books are of the energy that leap
         CHECK(std::abs(left[i]) < 1e-11 * start[i]);
         CHECK(std::abs(books.lagging[i]) > 1e-6 * start[i]);
     }
+    CHECK(std::abs(crawler::sum(books.damping)) > 1e-3 * crawler::sum(start));
 }

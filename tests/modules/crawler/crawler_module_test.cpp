@@ -294,6 +294,27 @@ TEST_CASE("a snake over hills is hardly lifted, however long its frames", "[unit
     CHECK(snake.measure("unexplained_share") < 1e-3);
 }
 
+TEST_CASE("who falls onto a surface meets it, however long the steps are that it takes", "[unit]") {
+    for (const char* step : {"\"1/60 s\"", "0.001"}) {
+        CAPTURE(step);
+        const Opened worm(std::string("[surface]\nfloor = \"3 m\"\n[[crawler]]\nkind = \"worm\"\nheight = 4.9\n"
+                                      "method = \"implicit_euler\"\nstep = ") +
+                          step + "\n");
+        worm.run(1.2);
+        CHECK(worm.lowest() > -0.006);
+    }
+}
+
+TEST_CASE("who falls along a wall looks at the floor in time", "[unit]") {
+    const Opened worm(
+        "[surface]\nshape = \"room\"\nsize = \"1 m\"\n[[crawler]]\nkind = \"worm\"\nheight = \"10 cm\"\n"
+        "position = [-0.4905, -0.5, 0]\nheading = [0, 0, 1]\n");
+    worm.run(0.5);
+    CHECK(worm.lowest() > -0.501);
+    CHECK(worm.measure("unexplained_share") < 0.02);
+    CHECK(worm.measure("lift_gain_j") < worm.measure("impact_loss_j"));
+}
+
 TEST_CASE("a body in the air without gravity goes nowhere: muscles push on nothing", "[unit]") {
     const Opened worm("[scene]\ngravity = [0, 0, 0]\n" + kWorm + "height = \"1 m\"\n");
     worm.run(2);

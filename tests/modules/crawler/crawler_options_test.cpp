@@ -222,6 +222,7 @@ TEST_CASE("a body bends over an edge of a surface, a fixed way off it", "[unit]"
 TEST_CASE("beyond a cliff's edge a body lies on the floor below", "[unit]") {
     const std::string cliff = std::string(kSmall) + "floor = 0.3\ncliff = { edge = 0, drop = \"20 cm\" }\n";
     CHECK(Read(cliff + "position = [0.2, 0, 0]\n").lowest() == Approx(0.1));
+    CHECK(Read(cliff + "position = [0.03, 0, 0]\n").lowest() == Approx(0.3));  // its tail is on the upper one
     CHECK(Read(cliff + "position = [-0.2, 0, 0]\n").lowest() == Approx(0.3));
 }
 
@@ -234,6 +235,15 @@ TEST_CASE("there is a level floor unless a surface or a cliff is there", "[unit]
     CHECK(std::get<Cliff>(cliff.ground).radius == 0.02);
     CHECK(std::get<Cliff>(cliff.ground).drop == 0.04);
     CHECK(std::holds_alternative<SurfaceGround>(Read("", &floor_land().surface()).ground));
+}
+
+TEST_CASE("bends and lifts a quarter of a wave apart may each be sharp, and turns that nobody asks for",
+          "[unit]") {
+    const std::string body = "length = 0.1\nwidth = 0.01\nturn = 19\ngait = \"sidewinding\"\nbend = 14\n";
+    CHECK(Read(body + "lift = 14\n").fault().empty());
+    CHECK_FALSE(Read(body + "lift = 14\nwave = \"square\"\n").fault().empty());
+    CHECK_FALSE(Read(body + "lift = 14.5\n").fault().empty());
+    CHECK_FALSE(Read(body + "lift = 14\nseek.point = [1, 0, 0]\n").fault().empty());
 }
 
 TEST_CASE("what does not go together is refused where the scene says it", "[unit]") {
@@ -253,11 +263,16 @@ TEST_CASE("what does not go together is refused where the scene says it", "[unit
         {"a radius without an edge", "cliff.radius = 0.01\n", "scene.toml:1:16: a cliff has no edge"},
         {"a wide edge", "cliff = { edge = 0, radius = 0.03, drop = 0.05 }\n",
          "scene.toml:1:30: the rounded edge is higher than half of the cliff"},
-        {"bends that fold", "length = 0.1\nwidth = 0.01\nbend = 19\ngait = \"undulation\"\n",
-         "scene.toml:3:8: muscles would fold over what is inside of bends; expected 'bend', 'lift' and 'turn' "
-         "of "
-         "the gait of less than 20 together"},
-        {"a strain that folds", "length = 0.1\nwidth = 0.01\nstrain = 0.9\nturn = 1\n",
+        {"bends that fold", "length = 0.1\nwidth = 0.01\nbend = 20\ngait = \"undulation\"\n",
+         "scene.toml:3:8: muscles would fold over what is inside of bends; expected bends and turns of less "
+         "than "
+         "20 together, as curvatures over one length; ask for"},
+        {"lifts that fold",
+         "length = 0.1\nwidth = 0.01\nlift = 14.5\nstrain = 0.2\ngait = \"caterpillar\"\nwaves = 1\n",
+         "expected bends and turns of less than 14.3 together, as curvatures over one length, where segments "
+         "shorten by 0.2"},
+        {"a strain that folds turns",
+         "length = 0.1\nwidth = 0.01\nstrain = 0.9\nturn = 1\nseek.point = [1, 0, 0]\n",
          "scene.toml:4:8: muscles would fold over"},
         {"a floor beside a surface", "floor = 0\n", "scene.toml:1:9: there are two grounds to crawl on", true},
         {"a cliff beside a surface", "cliff.edge = 0\n", "scene.toml:1:14: there are two grounds", true},

@@ -61,7 +61,7 @@ public:
           system(network_, setup.workers),
           waves_(*find_gait(setup.gait), setup.form, setup.waves, setup.build.segments),
           crawl(system, lattice_, setup.build, waves_, setup.friction, setup.ground,
-                {reaction, turned, step_x, step_v}, mass_spring::find_method(setup.method)->lag, setup.workers),
+                {reaction, turned, step_x, step_v}, *mass_spring::find_method(setup.method), setup.workers),
           drives_(setup.bodies) {
         system.set_surroundings({setup.gravity, setup.drag, {}});
         mass_spring::SimulationSettings settings;

@@ -66,7 +66,7 @@ TEST_CASE("forces are accelerations times mass, and fixed particles do not accel
     }
 }
 
-TEST_CASE("the tangents are the derivatives of the forces", "[unit]") {
+TEST_CASE("the tangent is the derivative of the forces", "[unit]") {
     Body body = bodies::tangle(30, 0.4);
     if (GENERATE(false, true)) bodies::bend(body);
     const std::vector<Vec3> u(body.v.rbegin(), body.v.rend());
@@ -88,15 +88,9 @@ TEST_CASE("the tangents are the derivatives of the forces", "[unit]") {
     system.apply_stiffness(body.x, u, tangent);
     for (std::size_t i = 0; i < n; ++i) ahead[i] = (behind[i] - ahead[i]) / (2 * kStep);
     CHECK(largest_difference(ahead, tangent) < 1e-6);
-
-    system.forces(body.x, shifted(still, kStep), ahead);
-    system.forces(body.x, shifted(still, -kStep), behind);
-    system.apply_damping(body.x, u, tangent);
-    for (std::size_t i = 0; i < n; ++i) ahead[i] = (behind[i] - ahead[i]) / (2 * kStep);
-    CHECK(largest_difference(ahead, tangent) < 1e-6);
 }
 
-TEST_CASE("tangents hold fixed particles", "[unit]") {
+TEST_CASE("the tangent holds fixed particles", "[unit]") {
     Body body = bodies::tangle(10, 0.4);
     body.network.fixed[2] = 1;
     SpringSystem system(body.network, nullptr);
@@ -105,8 +99,6 @@ TEST_CASE("tangents hold fixed particles", "[unit]") {
     u[2] = {1, 1, 1};
     system.apply_stiffness(body.x, u, out);
     CHECK(largest_difference(out, std::vector<Vec3>(10)) == 0);
-    system.apply_damping(body.x, body.v, out);
-    CHECK(out[2] == Vec3{});
 }
 
 TEST_CASE("a free system keeps its momentum", "[unit]") {

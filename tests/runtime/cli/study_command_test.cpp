@@ -160,7 +160,7 @@ TEST_CASE("a signal ends a study with what it found", "[scene]") {
         scene.study("stability", {"--set", "oscillator.delay=0.005", "--method", "verlet", "--axis",
                                   "oscillator.step=0.1..10 ms:10", "--axis", "oscillator.stiffness=1,2"}));
     for (int i = 0; i < 200 && !std::filesystem::exists(scene.out); ++i) ::usleep(10000);
-    ::usleep(1000000);
+    ::usleep(3000000);
     program.send(SIGINT);
     const Outcome outcome = program.wait();
     CHECK(outcome.code == 0);

@@ -158,7 +158,7 @@ TEST_CASE("cells that there is no time for are unknown, those of short steps fir
     const StabilityResult result = study_stability(
         scene.settings, subject,
         {*parse_axis("oscillator.step=0.1 ms..1 ms:10"), *parse_axis("oscillator.stiffness=0.5..1:2")},
-        deadline_in(0.4, scene.interrupt));
+        deadline_in(2, scene.interrupt));
     CHECK(result.maps[0].cells.front() == CellClass::unknown);
     CHECK_THAT(result.sentences[0], Catch::Contains("unknown"));
 }

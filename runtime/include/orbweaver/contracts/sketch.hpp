@@ -12,12 +12,12 @@ struct SketchLine {
     std::array<float, 3> color{};  ///< sRGB, [0, 1]
 };
 
-/// What a module believes, as lines over the picture: for who looks for mistakes.
+/// What a module believes, as lines over the picture: for who looks for mistakes, and what nobody else draws.
 class Sketch {
 public:
     static constexpr const char* kContract = "sketch/1";
 
-    /// Whether anybody asked for it: does not change.
+    /// Whether there is anything to be drawn, as where somebody asked for it: does not change.
     virtual bool wanted() const noexcept = 0;
     /// As things are now; asked for once a picture.
     virtual std::span<const SketchLine> lines() = 0;
