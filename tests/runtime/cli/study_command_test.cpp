@@ -155,9 +155,9 @@ TEST_CASE("a scene that cannot be studied ends with the code of its fault", "[ex
 
 TEST_CASE("a signal ends a study with what it found", "[scene]") {
     const Scene scene;
-    // Two references of about 0.1 s, then 20 cells that take as long each.
+    // Two references of about 0.3 s, then 20 cells that take as long each.
     Program program(
-        scene.study("stability", {"--set", "oscillator.delay=0.005", "--method", "verlet", "--axis",
+        scene.study("stability", {"--set", "oscillator.delay=0.015", "--method", "verlet", "--axis",
                                   "oscillator.step=0.1..10 ms:10", "--axis", "oscillator.stiffness=1,2"}));
     for (int i = 0; i < 200 && !std::filesystem::exists(scene.out); ++i) ::usleep(10000);
     ::usleep(3000000);

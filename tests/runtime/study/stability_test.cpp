@@ -152,7 +152,7 @@ TEST_CASE("a map of nothing is none", "[extreme]") {
 }
 
 TEST_CASE("cells that there is no time for are unknown, those of short steps first", "[extreme]") {
-    OscillatorScene scene(kFast + "delay = 0.001");
+    OscillatorScene scene(kFast + "delay = 0.005");
     scene.settings.methods = {"verlet"};
     const Subject subject(scene.settings);
     const StabilityResult result = study_stability(
