@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "lanczos.hpp"
 #include "orbweaver/random.hpp"
 #include "quantity.hpp"
+#include "spring_tangent.hpp"
 #include "stability_limit.hpp"
 
 namespace orbweaver::mass_spring {
@@ -16,40 +16,11 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Of one spring at x, fixed ends not held: -df/dx is along n n^T + across I, and -df/dv is damping n n^T, with
-/// the signs + + - - of its two ends.
-struct Link {
-    std::uint32_t a, b;
-    Vec3 n;              ///< l/|l|; zero where it has none, as all else then
-    double along = 0;    ///< N/m, T' - T/|l|
-    double across = 0;   ///< N/m, T/|l|
-    double damping = 0;  ///< N s/m
-};
-
-std::vector<Link> links_of(const SpringSystem& system, std::span<const Vec3> x) {
-    std::vector<Link> links;
-    links.reserve(system.network().springs.size());
-    for (std::size_t i = 0; i < system.network().springs.size(); ++i) {
-        const Spring& s = system.network().springs[i];
-        Link link{s.a, s.b, {}};
-        const Vec3 l = x[s.a] - x[s.b];
-        if (const double length = norm(l); length > 0) {
-            const Tension here = system.tension(i, length);
-            link.n = l / length;
-            link.across = here.force / length;
-            link.along = here.slope - link.across;
-            link.damping = s.damping;
-        }
-        links.push_back(link);
-    }
-    return links;
-}
-
 /// M^-1/2 (wk K + wc C) M^-1/2, with K and C the tangents at x; zero where particles are fixed.
 class ScaledTangent {
 public:
     ScaledTangent(const SpringSystem& system, std::span<const Vec3> x)
-        : drag_(system.drag()), links_(links_of(system, x)), scale_(x.size()), u_(x.size()) {
+        : tangent_(system, x), scale_(x.size()), u_(x.size()) {
         const Network& network = system.network();
         for (std::size_t i = 0; i < x.size(); ++i) {
             scale_[i] = network.fixed[i] != 0 ? 0 : 1 / std::sqrt(network.mass[i]);
@@ -57,17 +28,8 @@ public:
     }
 
     void apply(double wk, double wc, std::span<const Vec3> in, std::span<Vec3> out) noexcept {
-        for (std::size_t i = 0; i < in.size(); ++i) {
-            u_[i] = scale_[i] * in[i];
-            out[i] = wc * drag_ * u_[i];
-        }
-        for (const Link& link : links_) {
-            const Vec3 du = u_[link.a] - u_[link.b];
-            const double along = (wk * link.along + wc * link.damping) * dot(link.n, du);
-            const Vec3 pull = along * link.n + wk * link.across * du;
-            out[link.a] += pull;
-            out[link.b] -= pull;
-        }
+        for (std::size_t i = 0; i < in.size(); ++i) u_[i] = scale_[i] * in[i];
+        tangent_.apply(wk, wc, u_, out);
         for (std::size_t i = 0; i < out.size(); ++i) out[i] = scale_[i] * out[i];
     }
 
@@ -92,7 +54,7 @@ public:
                                  start, 1e-4);
     }
 
-    std::span<const Link> links() const noexcept { return links_; }
+    std::span<const SpringLink> links() const noexcept { return tangent_.links(); }
 
     /// M^-1/2 q: the displacements of a mode.
     std::vector<Vec3> displacements(std::span<const Vec3> q) const {
@@ -102,8 +64,7 @@ public:
     }
 
 private:
-    double drag_;  ///< N s/m
-    std::vector<Link> links_;
+    SpringTangent tangent_;
     std::vector<double> scale_;  ///< kg^-1/2, 0 where fixed
     std::vector<Vec3> u_;
 };
@@ -143,7 +104,7 @@ Mode least_damped(ScaledTangent& tangent, Mode mode, const MethodInfo& method, d
 }
 
 /// The spring with the largest share in a mode's elastic energy, or in its damping when that rules it.
-void name_spring(std::span<const Link> links, std::span<const Vec3> u, Advice& advice) {
+void name_spring(std::span<const SpringLink> links, std::span<const Vec3> u, Advice& advice) {
     const bool by_damping = advice.damping_rate > advice.angular_frequency;
     double largest = 0;
     for (std::size_t i = 0; i < links.size(); ++i) {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "spring_tangent.hpp"
+
 namespace orbweaver::mass_spring {
 namespace {
 
@@ -50,7 +52,7 @@ Phase phase_of(const SpringSystem& system, std::span<const Vec3> x, std::span<co
     const Network& network = system.network();
     Phase phase{{v.begin(), v.end()}, std::vector<Vec3>(x.size()), 0};
     std::vector<Vec3> pull(x.size());
-    system.apply_stiffness(x, v, pull);
+    SpringTangent(system, x).apply(1, 0, v, pull);
     const std::vector<Vec3> rest(x.size());
     system.forces(x, rest, phase.a);
     double twice = 0;

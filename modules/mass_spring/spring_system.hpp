@@ -174,10 +174,6 @@ public:
     void forces(std::span<const Vec3> x, std::span<const Vec3> v, std::span<Vec3> f) const noexcept;
     Energy energy(std::span<const Vec3> x, std::span<const Vec3> v) const noexcept;
 
-    /// out = -(df/dx) u at x: the tangent stiffness, geometric part included; zero rows and columns for
-    /// fixed particles.
-    void apply_stiffness(std::span<const Vec3> x, std::span<const Vec3> u, std::span<Vec3> out) const noexcept;
-
     /// Other kernels than the best, to compare them; the bits are the same.
     void use_kernels(const SpringKernels& kernels) noexcept { kernels_ = &kernels; }
 

@@ -1,38 +1,37 @@
-#include "spring_system.hpp"
+#include "spring_tangent.hpp"
 
 namespace orbweaver::mass_spring {
-namespace {
 
-bool is_fixed(const Network& network, std::uint32_t particle) noexcept { return network.fixed[particle] != 0; }
-
-/// u_a - u_b, with fixed ends held.
-Vec3 difference(const Network& network, const Spring& s, std::span<const Vec3> u) noexcept {
-    return (is_fixed(network, s.a) ? Vec3{} : u[s.a]) - (is_fixed(network, s.b) ? Vec3{} : u[s.b]);
-}
-
-void add_pair(const Network& network, const Spring& s, const Vec3& f, std::span<Vec3> out) noexcept {
-    if (!is_fixed(network, s.a)) out[s.a] += f;
-    if (!is_fixed(network, s.b)) out[s.b] -= f;
-}
-
-}  // namespace
-
-// With n = l/|l|, one spring contributes to -(df/dx) the block T' n n^T + (T/|l|)(I - n n^T), with the signs
-// + + - - of its two ends.
-void SpringSystem::apply_stiffness(std::span<const Vec3> x, std::span<const Vec3> u,
-                                   std::span<Vec3> out) const noexcept {
-    for (Vec3& each : out) each = {};
+SpringTangent::SpringTangent(const SpringSystem& system, std::span<const Vec3> x)
+    : network_(&system.network()), drag_(system.drag()) {
+    links_.reserve(network_->springs.size());
     for (std::size_t i = 0; i < network_->springs.size(); ++i) {
         const Spring& s = network_->springs[i];
+        SpringLink link{s.a, s.b, {}};
         const Vec3 l = x[s.a] - x[s.b];
-        const double squared = dot(l, l);
-        if (squared == 0) continue;
-        const Vec3 du = difference(*network_, s, u);
-        const double length = std::sqrt(squared);
-        const Vec3 along = l * (dot(l, du) / squared);
-        const Tension here = tension(i, length);
-        add_pair(*network_, s, here.slope * along + here.force / length * (du - along), out);
+        if (const double length = norm(l); length > 0) {
+            const Tension here = system.tension(i, length);
+            link.n = l / length;
+            link.across = here.force / length;
+            link.along = here.slope - link.across;
+            link.damping = s.damping;
+        }
+        links_.push_back(link);
     }
+}
+
+void SpringTangent::apply(double wk, double wc, std::span<const Vec3> u, std::span<Vec3> out) const noexcept {
+    const auto is_fixed = [&](std::size_t i) { return network_->fixed[i] != 0; };
+    for (std::size_t i = 0; i < u.size(); ++i) out[i] = wc * drag_ * u[i];
+    for (const SpringLink& link : links_) {
+        const Vec3 du = (is_fixed(link.a) ? Vec3{} : u[link.a]) - (is_fixed(link.b) ? Vec3{} : u[link.b]);
+        const double along = (wk * link.along + wc * link.damping) * dot(link.n, du);
+        const Vec3 pull = along * link.n + wk * link.across * du;
+        out[link.a] += pull;
+        out[link.b] -= pull;
+    }
+    for (std::size_t i = 0; i < out.size(); ++i)
+        if (is_fixed(i)) out[i] = {};
 }
 
 }  // namespace orbweaver::mass_spring
