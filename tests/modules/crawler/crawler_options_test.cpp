@@ -265,8 +265,7 @@ TEST_CASE("what does not go together is refused where the scene says it", "[unit
          "scene.toml:1:30: the rounded edge is higher than half of the cliff"},
         {"bends that fold", "length = 0.1\nwidth = 0.01\nbend = 20\ngait = \"undulation\"\n",
          "scene.toml:3:8: muscles would fold over what is inside of bends; expected bends and turns of less "
-         "than "
-         "20 together, as curvatures over one length; ask for"},
+         "than 20 together, as curvatures over one length; ask for"},
         {"lifts that fold",
          "length = 0.1\nwidth = 0.01\nlift = 14.5\nstrain = 0.2\ngait = \"caterpillar\"\nwaves = 1\n",
          "expected bends and turns of less than 14.3 together, as curvatures over one length, where segments "
